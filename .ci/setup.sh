@@ -1,0 +1,50 @@
+# Shared by ./run and ./test: installs what is missing and builds. Sourced, not run; the caller stands in the
+# project's folder. Everything here speaks on standard error, so that standard output stays the program's.
+
+packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev nlohmann-json3-dev libgtest-dev
+  libgmock-dev libbenchmark-dev)
+packages_to_fuzz=(clang libclang-rt-14-dev)
+
+say() { printf '%s\n' "$*" >&2; }
+
+explain_other_systems() {
+  say "This script installs packages on Debian 12. Elsewhere, install by hand what these packages hold:"
+  say "  $*"
+  say "that is: a C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, CLI11 2.1, nlohmann-json 3.11, GoogleTest 1.12 and"
+  say "Google Benchmark 1.7. Then run again with CELLSWEEP_SKIP_PACKAGES=1 in the environment."
+}
+
+is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed'; }
+
+# install_packages NAME...: does nothing, quickly, when all are there.
+install_packages() {
+  [ -n "${CELLSWEEP_SKIP_PACKAGES:-}" ] && return 0
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    explain_other_systems "$@"
+    return 1
+  fi
+  local missing=() name
+  for name in "$@"; do is_installed "$name" || missing+=("$name"); done
+  [ ${#missing[@]} -eq 0 ] && return 0
+  if [ "$(id -u)" -ne 0 ]; then
+    say "These Debian packages are missing, and only root can install them:"
+    say "  sudo apt-get install ${missing[*]}"
+    return 1
+  fi
+  say "installing: ${missing[*]}"
+  apt-get update -qq >&2 &&
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+}
+
+# build_preset PRESET [TARGET...]: configures once, then builds; says nothing when there is nothing to do.
+build_preset() {
+  local preset=$1
+  shift
+  if [ ! -f "build/$preset/build.ninja" ]; then
+    cmake --preset "$preset" >&2 || return 1
+  fi
+  local quiet=(--quiet)
+  [ -t 2 ] && quiet=()
+  if [ $# -eq 0 ]; then set -- all; fi
+  ninja -C "build/$preset" "${quiet[@]}" "$@" >&2
+}

@@ -1,0 +1,45 @@
+/// @file
+/// The part of the contract that is the same in every engine: input is checked whole, then applied whole.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "broadphase/body_table.h"
+#include "cellsweep/broadphase.h"
+
+namespace cellsweep {
+
+/// Does the checks of Broadphase's three input calls, makes boxes canonical and turns ids into slots. An
+/// engine derives from it and only ever sees good input.
+class CheckedBroadphase : public Broadphase {
+ public:
+  using Broadphase::insert;
+  using Broadphase::move;
+  using Broadphase::remove;
+  Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes) final;
+  Status move(std::span<const BodyId> ids, std::span<const Aabb> boxes) final;
+  Status remove(std::span<const BodyId> ids) final;
+  std::size_t size() const final { return bodies_.size(); }
+
+ protected:
+  /// New bodies; a slot may be one that a removed body left.
+  virtual void apply_insert(std::span<const Slot> slots, std::span<const Aabb> boxes) = 0;
+  virtual void apply_move(std::span<const Slot> slots, std::span<const Aabb> boxes) = 0;
+  /// Called while the bodies are still in the table.
+  virtual void apply_remove(std::span<const Slot> slots) = 0;
+
+  const BodyTable& bodies() const { return bodies_; }
+
+ private:
+  Status check_boxes(std::span<const BodyId> ids, std::span<const Aabb> boxes);
+  Status find_slots(std::span<const BodyId> ids);
+  Status check_room(std::size_t more) const;
+
+  BodyTable bodies_;
+  std::vector<Slot> slots_;  // of the call that is being applied
+  std::vector<Aabb> boxes_;  // its boxes, canonical
+};
+
+}  // namespace cellsweep

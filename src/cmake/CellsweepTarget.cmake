@@ -1,0 +1,23 @@
+# How every target of the project is compiled.
+
+# cellsweep_target(TARGET): C++20, our warnings, no fused multiply-add behind our back, sanitizers if asked for.
+function(cellsweep_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                           -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
+  if(CELLSWEEP_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(CELLSWEEP_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${CELLSWEEP_SANITIZE} -fno-sanitize-recover=all
+                                             -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${CELLSWEEP_SANITIZE})
+  endif()
+endfunction()
+
+# cellsweep_quick_to_compile(TARGET): for targets whose own code is not what anybody waits for, above all tests and
+# the command line: little optimisation, in builds that have any.
+function(cellsweep_quick_to_compile target)
+  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
+endfunction()
