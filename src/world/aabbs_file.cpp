@@ -1,0 +1,179 @@
+#include "world/aabbs_file.h"
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+
+#include "world/bytes.h"
+#include "world/file_fault.h"
+#include "world/recording_check.h"
+
+namespace cellsweep {
+namespace {
+
+constexpr std::size_t kTextBytes = 128;
+constexpr std::size_t kNameOffset = 0;
+constexpr std::size_t kTypeOffset = 128;
+constexpr std::size_t kBodiesOffset = 256;
+constexpr std::size_t kFramesOffset = 260;
+constexpr std::size_t kReservedOffset = 264;
+constexpr std::size_t kWorldOffset = 272;
+constexpr std::size_t kHeaderBytes = 304;
+constexpr std::size_t kBoxBytes = 32;
+constexpr std::size_t kMostCounted = std::numeric_limits<std::int32_t>::max();
+
+using Bytes = std::span<const std::byte>;
+
+Status parse_text(Bytes file, std::size_t offset, std::string_view what, std::string& text) {
+  const Bytes field = file.subspan(offset, kTextBytes);
+  const auto end = std::ranges::find(field, std::byte{0});
+  if (end == field.end()) {
+    return fault_at(offset, std::string(what) + " that ends in a NUL within 128 bytes",
+                    "128 bytes without one");
+  }
+  for (auto byte = field.begin(); byte != end; ++byte) text.push_back(static_cast<char>(*byte));
+  return {};
+}
+
+Status parse_count(Bytes file, std::size_t offset, std::string_view what, std::uint64_t& count) {
+  const auto stored = load_number<std::int32_t>(file, offset);
+  if (stored < 0) {
+    return fault_at(offset, std::string(what) + " that is not negative", std::to_string(stored));
+  }
+  count = static_cast<std::uint64_t>(stored);
+  return {};
+}
+
+Status check_reserved(Bytes file) {
+  for (const std::size_t offset : {kReservedOffset, kReservedOffset + 4}) {
+    const auto stored = load_number<std::int32_t>(file, offset);
+    if (stored != 0) return fault_at(offset, "zero in a reserved field", std::to_string(stored));
+  }
+  return {};
+}
+
+/// Where a corner's number is within a box: each corner is followed by a fourth float.
+std::size_t corner_place(std::size_t corner) {
+  return 4 * (corner < 3 ? corner : corner + 1);
+}
+
+std::optional<BoxFault> parse_box(Bytes file, std::size_t offset, Aabb& box, std::size_t& place) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.min[i] = load_number<float>(file, offset + corner_place(i));
+    box.max[i] = load_number<float>(file, offset + corner_place(i + 3));
+  }
+  if (auto fault = find_fault(corners_of(box))) {
+    place = corner_place(fault->corner);
+    return fault;
+  }
+  for (place = 12; place < kBoxBytes; place += 16) {
+    const auto filler = load_number<float>(file, offset + place);
+    if (filler != 0.0F) return BoxFault{0, "zero as a corner's fourth float", number_text(filler)};
+  }
+  return std::nullopt;
+}
+
+Status parse_world(Bytes file, Aabb& world) {
+  std::size_t place = 0;
+  const auto fault = parse_box(file, kWorldOffset, world, place);
+  if (!fault) return {};
+  return fault_at(kWorldOffset + place, fault->expected + " of the world", fault->found);
+}
+
+Status parse_boxes(Bytes file, const BoxBlock& block, std::vector<Aabb>& boxes) {
+  boxes.resize(block.frames * block.bodies);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    std::size_t place = 0;
+    const auto fault = parse_box(file, kHeaderBytes + i * kBoxBytes, boxes[i], place);
+    if (fault) return box_fault_at(block, i, place, *fault);
+  }
+  return {};
+}
+
+Status parse_header(Bytes file, Recording& recording, BoxBlock& block) {
+  if (file.size() < kHeaderBytes) {
+    return fault_at(file.size(), "a header of 304 bytes", "the end of the file");
+  }
+  Status status = parse_text(file, kNameOffset, "a name", recording.name);
+  if (status.ok()) status = parse_text(file, kTypeOffset, "a type", recording.type);
+  if (status.ok()) status = parse_count(file, kBodiesOffset, "a number of bodies", block.bodies);
+  if (status.ok()) status = parse_count(file, kFramesOffset, "a number of frames", block.frames);
+  if (status.ok()) status = check_reserved(file);
+  // The header counts the updates; frame 0 is stored before them.
+  block.frames += 1;
+  if (status.ok()) status = check_file_size(block, file.size());
+  if (status.ok()) status = parse_world(file, recording.world);
+  return status;
+}
+
+Status check_text(std::string_view what, std::string_view text) {
+  if (text.size() >= kTextBytes) {
+    return bad_recording("the recording's " + std::string(what) + " has " + std::to_string(text.size()) +
+                         " bytes, and a file holds 127");
+  }
+  if (text.find('\0') != std::string_view::npos) {
+    return bad_recording("the recording's " + std::string(what) + " has a NUL, where a file would end it");
+  }
+  return {};
+}
+
+Status check_counts(const Recording& recording) {
+  const std::size_t updates = recording.frames() - 1;
+  if (recording.bodies <= kMostCounted && updates <= kMostCounted) return {};
+  return bad_recording(std::to_string(recording.bodies) + " bodies and " + std::to_string(updates) +
+                       " updates do not both fit the format's limit of 2147483647");
+}
+
+Status check_world(const Aabb& world) {
+  const auto fault = find_fault(corners_of(world));
+  if (!fault) return {};
+  return bad_recording("the recording's world: expected " + fault->expected + ", found " + fault->found);
+}
+
+void append_text(std::vector<std::byte>& bytes, std::string_view text) {
+  const Bytes characters = std::as_bytes(std::span(text));
+  const std::size_t end = bytes.size() + kTextBytes;
+  bytes.insert(bytes.end(), characters.begin(), characters.end());
+  bytes.resize(end);
+}
+
+void append_box(std::vector<std::byte>& bytes, const Aabb& box) {
+  for (const auto& corner : {box.min, box.max}) {
+    for (const float number : corner) append_number(bytes, number);
+    append_number(bytes, 0.0F);
+  }
+}
+
+}  // namespace
+
+Result<Recording> parse_aabbs(std::span<const std::byte> file) {
+  Recording recording;
+  BoxBlock block{.offset = kHeaderBytes, .box_bytes = kBoxBytes};
+  Status status = parse_header(file, recording, block);
+  if (status.ok()) status = parse_boxes(file, block, recording.boxes);
+  if (!status.ok()) return status;
+  recording.bodies = block.bodies;
+  return recording;
+}
+
+Result<std::vector<std::byte>> aabbs_bytes(const Recording& recording) {
+  Status status = check_recording(recording);
+  if (status.ok()) status = check_text("name", recording.name);
+  if (status.ok()) status = check_text("type", recording.type);
+  if (status.ok()) status = check_counts(recording);
+  if (status.ok()) status = check_world(recording.world);
+  if (!status.ok()) return status;
+
+  std::vector<std::byte> bytes;
+  bytes.reserve(kHeaderBytes + recording.boxes.size() * kBoxBytes);
+  append_text(bytes, recording.name);
+  append_text(bytes, recording.type);
+  append_number(bytes, static_cast<std::int32_t>(recording.bodies));
+  append_number(bytes, static_cast<std::int32_t>(recording.frames() - 1));
+  append_number(bytes, std::uint64_t{0});
+  append_box(bytes, recording.world);
+  for (const Aabb& box : recording.boxes) append_box(bytes, box);
+  return bytes;
+}
+
+}  // namespace cellsweep

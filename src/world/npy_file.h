@@ -1,0 +1,17 @@
+/// @file
+/// Writing NumPy's .npy; reading it is parse_npy() of the public face.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cellsweep/recording.h"
+#include "cellsweep/status.h"
+
+namespace cellsweep {
+
+/// The whole file: format version 1.0, little-endian float32, shape (frames, bodies, 6). Name, type and world
+/// have no place in it. Errors: those of check_recording().
+Result<std::vector<std::byte>> npy_bytes(const Recording& recording);
+
+}  // namespace cellsweep

@@ -1,0 +1,179 @@
+#include "world/npy_header.h"
+
+#include <array>
+#include <string_view>
+
+#include "world/file_fault.h"
+#include "world/text_scanner.h"
+
+namespace cellsweep {
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+constexpr std::string_view kMagic = "\x93NUMPY";
+constexpr std::size_t kVersionOffset = 6;
+constexpr std::size_t kLengthOffset = 8;
+constexpr std::uint64_t kMostBodies = std::uint64_t{1} << 32;
+
+Status parse_descr(TextScanner& scanner, NpyHeader& header) {
+  scanner.skip_space();
+  const std::size_t begin = scanner.position();
+  std::string_view type;
+  if (!scanner.take_string(type)) return scanner.expected("a string that names the type of the numbers");
+  const bool known = type == "<f4" || type == "<f8" || type == ">f4" || type == ">f8";
+  if (!known) {
+    return fault_at(scanner.file_offset(begin),
+                    "float32 or float64 of a stated byte order (\"<f4\", \"<f8\", \">f4\" or \">f8\")",
+                    quoted(type));
+  }
+  header.order = type[0] == '<' ? ByteOrder::little : ByteOrder::big;
+  header.number_bytes = type[2] == '4' ? 4 : 8;
+  return {};
+}
+
+Status parse_fortran_order(TextScanner& scanner) {
+  scanner.skip_space();
+  const std::size_t begin = scanner.position();
+  const std::string_view word = scanner.take_word();
+  if (word == "False") return {};
+  if (word == "True") {
+    return fault_at(scanner.file_offset(begin), "C order (fortran_order False)",
+                    "Fortran order; save numpy.ascontiguousarray() of the array");
+  }
+  return fault_at(scanner.file_offset(begin), "True or False", quoted(word));
+}
+
+/// A tuple of any length; the first three numbers go into `dimensions`.
+Status parse_tuple(TextScanner& scanner, std::array<std::uint64_t, 3>& dimensions, std::size_t& size) {
+  if (!scanner.take('(')) return scanner.expected("the '(' of a shape");
+  for (size = 0; !scanner.take(')'); ++size) {
+    if (size > 0 && !scanner.take(',')) return scanner.expected("',' or ')' in the shape");
+    if (size > 0 && scanner.take(')')) return {};
+    std::uint64_t dimension = 0;
+    if (!scanner.take_count(dimension)) {
+      return scanner.expected("a number of 0 to 18446744073709551615 in the shape");
+    }
+    if (size < dimensions.size()) dimensions[size] = dimension;
+  }
+  return {};
+}
+
+Status parse_shape(TextScanner& scanner, NpyHeader& header) {
+  scanner.skip_space();
+  const std::size_t begin = scanner.position();
+  std::array<std::uint64_t, 3> dimensions{};
+  std::size_t size = 0;
+  if (Status status = parse_tuple(scanner, dimensions, size); !status.ok()) return status;
+
+  const auto refuse = [&](std::string_view expected) {
+    return fault_at(scanner.file_offset(begin), expected, "shape " + quoted(scanner.text_from(begin)));
+  };
+  if (size != 3 || dimensions[2] != 6) return refuse("shape (frames, bodies, 6)");
+  if (dimensions[0] == 0) return refuse("at least one frame");
+  if (dimensions[1] > kMostBodies) return refuse("no more bodies than 32-bit ids name, 4294967296");
+  header.frames = dimensions[0];
+  header.bodies = dimensions[1];
+  return {};
+}
+
+enum Key : std::size_t { kDescr, kFortranOrder, kShape };
+constexpr std::array<std::string_view, 3> kKeys = {"descr", "fortran_order", "shape"};
+
+Status parse_value(TextScanner& scanner, std::size_t key, NpyHeader& header) {
+  if (key == kDescr) return parse_descr(scanner, header);
+  if (key == kFortranOrder) return parse_fortran_order(scanner);
+  return parse_shape(scanner, header);
+}
+
+Status parse_item(TextScanner& scanner, std::array<bool, 3>& seen, NpyHeader& header) {
+  scanner.skip_space();
+  const std::size_t begin = scanner.position();
+  std::string_view name;
+  if (!scanner.take_string(name)) return scanner.expected("a key in quotes");
+  std::size_t key = 0;
+  while (key < kKeys.size() && kKeys[key] != name) ++key;
+  if (key == kKeys.size() || seen[key]) {
+    return fault_at(scanner.file_offset(begin), "\"descr\", \"fortran_order\" and \"shape\", each once",
+                    "key " + quoted(name) + (key == kKeys.size() ? "" : " again"));
+  }
+  seen[key] = true;
+  if (!scanner.take(':')) return scanner.expected("':' after a key");
+  return parse_value(scanner, key, header);
+}
+
+Status parse_dictionary(TextScanner& scanner, NpyHeader& header) {
+  std::array<bool, 3> seen{};
+  if (!scanner.take('{')) return scanner.expected("the '{' of a dictionary");
+  for (bool first = true; !scanner.take('}'); first = false) {
+    if (!first && !scanner.take(',')) return scanner.expected("',' or '}' after a value");
+    if (!first && scanner.take('}')) break;
+    if (Status status = parse_item(scanner, seen, header); !status.ok()) return status;
+  }
+  for (std::size_t key = 0; key < kKeys.size(); ++key) {
+    if (seen[key]) continue;
+    return fault_at(scanner.file_offset(scanner.position() - 1), "key " + quoted(kKeys[key]),
+                    "the end of the dictionary");
+  }
+  scanner.skip_space();
+  return scanner.at_end() ? Status{} : scanner.expected("nothing but space after the dictionary");
+}
+
+Status ends_early(Bytes file, std::string_view expected) {
+  return fault_at(file.size(), expected, "the end of the file");
+}
+
+/// Where the dictionary is: after magic, version and a length of 2 bytes (version 1) or 4.
+Status find_dictionary(Bytes file, std::size_t& begin, std::size_t& length) {
+  for (std::size_t i = 0; i < kMagic.size(); ++i) {
+    if (i == file.size()) return ends_early(file, "the magic string of .npy");
+    if (static_cast<char>(file[i]) != kMagic[i]) {
+      return fault_at(i, "the magic string of .npy, \"\\x93NUMPY\"", "another byte");
+    }
+  }
+  if (file.size() < kLengthOffset) return ends_early(file, "a format version of 2 bytes");
+  const auto major = std::to_integer<unsigned>(file[kVersionOffset]);
+  const auto minor = std::to_integer<unsigned>(file[kVersionOffset + 1]);
+  if (major < 1 || major > 3 || minor != 0) {
+    return fault_at(kVersionOffset, "format version 1.0, 2.0 or 3.0",
+                    std::to_string(major) + "." + std::to_string(minor));
+  }
+  begin = kLengthOffset + (major == 1 ? 2 : 4);
+  if (file.size() < begin) return ends_early(file, "the length of the header");
+  length = major == 1 ? load_word<std::uint16_t, ByteOrder::little>(file, kLengthOffset)
+                      : load_word<std::uint32_t, ByteOrder::little>(file, kLengthOffset);
+  if (file.size() - begin >= length) return {};
+  return ends_early(file,
+                    "a header of " + std::to_string(length) + " bytes from byte " + std::to_string(begin));
+}
+
+}  // namespace
+
+Result<NpyHeader> parse_npy_header(std::span<const std::byte> file) {
+  std::size_t begin = 0;
+  std::size_t length = 0;
+  if (Status status = find_dictionary(file, begin, length); !status.ok()) return status;
+
+  const Bytes dictionary = file.subspan(begin, length);
+  TextScanner scanner({reinterpret_cast<const char*>(dictionary.data()), dictionary.size()}, begin);
+  NpyHeader header;
+  if (Status status = parse_dictionary(scanner, header); !status.ok()) return status;
+  header.data_offset = begin + length;
+  return header;
+}
+
+std::string npy_header_bytes(std::uint64_t frames, std::uint64_t bodies) {
+  // NumPy pads to a multiple of 64, which with two counts of 1 to 20 digits is always this one.
+  // next.
+  constexpr std::size_t kTotal = 128;
+  constexpr char kLength = kTotal - kLengthOffset - 2;
+  std::string bytes(kMagic);
+  bytes += {'\x01', '\x00', kLength, '\x00'};
+  bytes += "{'descr': '<f4', 'fortran_order': False, 'shape': (" + std::to_string(frames) + ", " +
+           std::to_string(bodies) + ", 6), }";
+  bytes.resize(kTotal - 1, ' ');
+  bytes += '\n';
+  return bytes;
+}
+
+}  // namespace cellsweep

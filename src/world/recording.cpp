@@ -1,0 +1,81 @@
+#include "cellsweep/recording.h"
+
+#include <utility>
+
+#include "world/file_fault.h"
+#include "world/recording_check.h"
+
+namespace cellsweep {
+namespace {
+
+class RecordingFrames final : public FrameSource {
+ public:
+  explicit RecordingFrames(Recording recording) : recording_(std::move(recording)) {}
+
+  std::string name() const override { return recording_.name; }
+  std::span<const Aabb> boxes() const override { return recording_.frame(frame_); }
+  std::span<const BodyId> moved() const override { return moved_; }
+
+  bool advance() override {
+    if (frame_ + 1 >= recording_.frames()) return false;
+    const std::span<const Aabb> before = boxes();
+    ++frame_;
+    find_moved(before, boxes());
+    return true;
+  }
+
+ private:
+  void find_moved(std::span<const Aabb> before, std::span<const Aabb> now) {
+    moved_.clear();
+    for (std::size_t body = 0; body < now.size(); ++body) {
+      if (now[body] != before[body]) moved_.push_back(static_cast<BodyId>(body));
+    }
+  }
+
+  Recording recording_;
+  std::size_t frame_ = 0;
+  std::vector<BodyId> moved_;
+};
+
+void append_frame(Recording& recording, std::span<const Aabb> boxes) {
+  recording.boxes.insert(recording.boxes.end(), boxes.begin(), boxes.end());
+}
+
+}  // namespace
+
+Recording record(FrameSource& source, std::size_t updates, const Aabb& world) {
+  Recording recording;
+  recording.name = source.name();
+  recording.world = world;
+  recording.bodies = source.boxes().size();
+  append_frame(recording, source.boxes());
+  for (std::size_t update = 0; update < updates && source.advance(); ++update) {
+    append_frame(recording, source.boxes());
+  }
+  return recording;
+}
+
+std::unique_ptr<FrameSource> make_recording_frames(Recording recording) {
+  return std::make_unique<RecordingFrames>(std::move(recording));
+}
+
+Status check_recording(const Recording& recording) {
+  const std::string counts =
+      std::to_string(recording.boxes.size()) + " boxes for " + std::to_string(recording.bodies) + " bodies";
+  if (recording.frames() == 0) return bad_recording("the recording has no frames: " + counts);
+  if (recording.boxes.size() % recording.bodies != 0) {
+    return bad_recording("the recording's last frame is not whole: " + counts);
+  }
+  for (std::size_t i = 0; i < recording.boxes.size(); ++i) {
+    const auto fault = find_fault(corners_of(recording.boxes[i]));
+    if (!fault) continue;
+    Status status = bad_recording("frame " + std::to_string(i / recording.bodies) + ", body " +
+                                  std::to_string(i % recording.bodies) + ": expected " + fault->expected +
+                                  ", found " + fault->found);
+    status.body = static_cast<BodyId>(i % recording.bodies);
+    return status;
+  }
+  return {};
+}
+
+}  // namespace cellsweep

@@ -1,0 +1,13 @@
+/// @file
+/// What a recording must be before it goes into a file.
+#pragma once
+
+#include "cellsweep/recording.h"
+#include "cellsweep/status.h"
+
+namespace cellsweep {
+
+/// Errors: bad_input for no frames, boxes that do not fill whole frames, or a box that no reader would take.
+Status check_recording(const Recording& recording);
+
+}  // namespace cellsweep
