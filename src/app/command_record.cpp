@@ -1,0 +1,52 @@
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/scene_flags.h"
+#include "broadphase/text.h"
+#include "cellsweep/recording.h"
+
+namespace cellsweep::app {
+namespace {
+
+struct Record {
+  SceneFlags scene;
+  std::size_t updates = 100;
+  std::string from;
+  std::string out;
+
+  Result<Recording> make() const {
+    if (!from.empty()) return read_recording(from);
+    auto world = make_scene(scene.settings);
+    if (!world) return world.status();
+    auto source = make_scene_frames(scene.settings);
+    if (!source) return source.status();
+    return record(**source, updates, world->bounds());
+  }
+
+  ExitCode run() const {
+    const auto recording = make();
+    if (!recording) return complain(recording.status());
+    if (const Status status = write_recording(*recording, out); !status.ok()) return complain(status);
+    print_text(text(out, ": ", recording->bodies, " bodies, ", recording->frames(), " frames\n"));
+    return kGood;
+  }
+};
+
+}  // namespace
+
+void add_record(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command = program.add_subcommand("record", "Write a scene, or another recording, to a file");
+  auto record = std::make_shared<Record>();
+  command->add_option("--out", record->out, "File to write: .aabbs or .npy")->required();
+  auto* from = command->add_option("--from", record->from, "Recording to convert, instead of a scene");
+  record->scene.add_to(*command);
+  command->add_option("--frames", record->updates, "Updates after frame 0")
+      ->capture_default_str()
+      ->excludes(from);
+  command->footer(
+      "Examples:\n"
+      "  cellsweep record --scene clustered --bodies 500 --frames 60 --out clustered.aabbs\n"
+      "  cellsweep record --from bench/scenes/bullet-pile-1024.aabbs --out pile.npy");
+  command->callback([record, &exit_code] { exit_code = record->run(); });
+}
+
+}  // namespace cellsweep::app

@@ -1,0 +1,39 @@
+#include <limits>
+
+#include "app/commands.h"
+#include "app/run_and_print.h"
+#include "cellsweep/recording.h"
+
+namespace cellsweep::app {
+namespace {
+
+struct Replay {
+  std::string file;
+  FrameFlags frames;
+  EngineFlags engines;
+
+  ExitCode run() const {
+    const auto recording = read_recording(file);
+    if (!recording) return complain(recording.status());
+    return run_and_print(engines, frames, [&]() -> Result<std::unique_ptr<FrameSource>> {
+      return make_recording_frames(*recording);
+    });
+  }
+};
+
+}  // namespace
+
+void add_replay(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command = program.add_subcommand("replay", "Run a recorded scene");
+  auto replay = std::make_shared<Replay>();
+  command->add_option("FILE", replay->file, "A recording: .aabbs, or .npy of shape (frames, bodies, 6)")
+      ->required();
+  replay->frames.add_to(*command, std::numeric_limits<std::size_t>::max(), " [all there are]");
+  replay->engines.add_to(*command);
+  command->footer(
+      "Example:\n"
+      "  cellsweep replay bench/scenes/bullet-pile-1024.aabbs --report-frames 0,15,30 --json");
+  command->callback([replay, &exit_code] { exit_code = replay->run(); });
+}
+
+}  // namespace cellsweep::app

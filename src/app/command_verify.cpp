@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "app/commands.h"
+#include "app/engine_flags.h"
+#include "app/output.h"
+#include "app/scene_flags.h"
+#include "cellsweep/recording.h"
+#include "report/run_json.h"
+#include "report/run_table.h"
+
+namespace cellsweep::app {
+namespace {
+
+constexpr std::size_t kSceneUpdates = 100;
+
+struct Verify {
+  std::string file;
+  SceneFlags scene;
+  EngineFlags engines;
+  std::optional<std::size_t> updates;
+  bool json = false;
+
+  Result<std::unique_ptr<FrameSource>> make_source() const {
+    if (file.empty()) return make_scene_frames(scene.settings);
+    auto recording = read_recording(file);
+    if (!recording) return recording.status();
+    return make_recording_frames(std::move(*recording));
+  }
+
+  // A recording ends by itself, a scene never does.
+  std::size_t last_update() const {
+    return updates.value_or(file.empty() ? kSceneUpdates : std::numeric_limits<std::size_t>::max());
+  }
+
+  ExitCode run() const {
+    auto made = engines.make();
+    if (!made) return complain(made.status());
+    auto source = make_source();
+    if (!source) return complain(source.status());
+    const std::string name = (*source)->name();
+    const auto verdicts = report::verify_engines(*made, **source, last_update());
+    if (!verdicts) return complain(verdicts.status());
+    print_verdicts(name, *verdicts);
+    const bool exact =
+        std::all_of(verdicts->begin(), verdicts->end(), [](const auto& v) { return v.exact(); });
+    return exact ? kGood : kResultsDiffer;
+  }
+
+  void print_verdicts(const std::string& name, const std::vector<report::VerifyReport>& verdicts) const {
+    if (json) return print_json(report::to_json(verdicts));
+    print_text(report::verify_table(name, verdicts));
+    for (const auto& verdict : verdicts) {
+      if (verdict.first) print_text("\n" + verdict.engine + ", " + report::describe(*verdict.first) + "\n");
+    }
+  }
+};
+
+}  // namespace
+
+void add_verify(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command =
+      program.add_subcommand("verify", "Compare engines with all-against-all, frame by frame");
+  auto verify = std::make_shared<Verify>();
+  command->add_option("FILE", verify->file, "A recording; without one, a scene is run");
+  verify->scene.add_to(*command);
+  command->add_option("--frames", verify->updates,
+                      "Updates after frame 0 [all of a recording, 100 of a scene]");
+  verify->engines.add_to(*command);
+  command->add_flag("--json", verify->json, "One JSON object on standard output");
+  command->footer(
+      "Exit code 1 and the first differing pair when an engine is not exact.\n"
+      "Examples:\n"
+      "  cellsweep verify bench/scenes/bullet-pile-1024.aabbs\n"
+      "  cellsweep verify --scene wall --bodies 500 --moving 1 --spinning --frames 300");
+  command->callback([verify, &exit_code] { exit_code = verify->run(); });
+}
+
+}  // namespace cellsweep::app

@@ -1,0 +1,29 @@
+/// @file
+/// The flags that choose engines and their settings.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cellsweep/engines.h"
+
+namespace cellsweep::app {
+
+using Engines = std::vector<std::unique_ptr<Broadphase>>;
+
+/// Adds --engine, --threads and the settings of single engines to a command, and makes what they ask for.
+class EngineFlags {
+ public:
+  void add_to(CLI::App& command);
+
+  /// One empty engine a name. Errors: those of make_engine().
+  Result<Engines> make() const;
+
+ private:
+  std::vector<std::string> names_;
+  EngineOptions options_;
+};
+
+}  // namespace cellsweep::app

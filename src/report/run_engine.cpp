@@ -1,0 +1,96 @@
+#include "report/run_engine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <set>
+
+#include "broadphase/text.h"
+#include "report/progress.h"
+
+namespace cellsweep::report {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double setup_milliseconds(const Broadphase& engine) {
+  double sum = 0;
+  for (const Phase& phase : engine.statistics().phases) sum += phase.setup ? phase.milliseconds : 0;
+  return sum;
+}
+
+// One frame's work, timed as a whole.
+template <class HandOver>
+Status timed_frame(Broadphase& engine, RunReport& report, double& frame_ms, HandOver&& hand_over) {
+  const Clock::time_point start = Clock::now();
+  if (Status status = hand_over(); !status.ok()) return status;
+  if (const auto changes = engine.update(); !changes) return changes.status();
+  const double total = milliseconds_since(start);
+  const double setup = setup_milliseconds(engine);
+  report.setup_ms += setup;
+  frame_ms = total - setup;
+  return {};
+}
+
+void report_frame(const Broadphase& engine, std::size_t frame, RunReport& report) {
+  report.frames.push_back({frame, engine.pairs().size(), pair_set_hash(engine.pairs())});
+}
+
+Status unreached_frame_status(std::size_t wanted, std::size_t last) {
+  return {StatusCode::bad_input,
+          text("Frame ", wanted, " was to be reported, but the last frame is ", last, "."),
+          std::nullopt,
+          wanted,
+          last,
+          "report-frames"};
+}
+
+}  // namespace
+
+Status insert_all(Broadphase& engine, const FrameSource& source) {
+  std::vector<BodyId> ids(source.boxes().size());
+  std::iota(ids.begin(), ids.end(), BodyId{0});
+  return engine.insert(ids, source.boxes());
+}
+
+Status move_changed(Broadphase& engine, const FrameSource& source) {
+  std::vector<Aabb> boxes;
+  boxes.reserve(source.moved().size());
+  for (const BodyId id : source.moved()) boxes.push_back(source.boxes()[id]);
+  return engine.move(source.moved(), boxes);
+}
+
+Result<RunReport> run_engine(Broadphase& engine, FrameSource& source, const RunSettings& settings) {
+  RunReport report;
+  report.engine = engine.name();
+  report.bodies = source.boxes().size();
+  const std::set<std::size_t> wanted(settings.report_frames.begin(), settings.report_frames.end());
+  const auto is_wanted = [&](std::size_t frame) {
+    return wanted.empty() ? frame == 0 : wanted.contains(frame);
+  };
+
+  Status status = timed_frame(engine, report, report.initial_ms, [&] { return insert_all(engine, source); });
+  if (!status.ok()) return status;
+  if (is_wanted(0)) report_frame(engine, 0, report);
+
+  Progress progress(report.engine, settings.updates);
+  std::size_t frame = 0;
+  while (frame < settings.updates && source.advance()) {
+    ++frame;
+    double frame_ms = 0;
+    status = timed_frame(engine, report, frame_ms, [&] { return move_changed(engine, source); });
+    if (!status.ok()) return status;
+    report.update_ms.push_back(frame_ms);
+    if (is_wanted(frame)) report_frame(engine, frame, report);
+    progress.show(frame);
+  }
+  if (wanted.empty() && frame > 0) report_frame(engine, frame, report);
+  if (!wanted.empty() && *wanted.rbegin() > frame) return unreached_frame_status(*wanted.rbegin(), frame);
+  return report;
+}
+
+}  // namespace cellsweep::report

@@ -1,0 +1,48 @@
+/// @file
+/// Runs an engine over frames, takes the time of its own work, and keeps pair counts and hashes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cellsweep/broadphase.h"
+#include "cellsweep/frame_source.h"
+
+namespace cellsweep::report {
+
+struct RunSettings {
+  std::size_t updates = 0;                 ///< frames after frame 0; fewer when the source ends before
+  std::vector<std::size_t> report_frames;  ///< frames whose pairs are counted; empty: the first and the last
+};
+
+/// The pairs of one frame.
+struct FrameReport {
+  std::size_t frame = 0;
+  std::size_t pairs = 0;
+  std::uint64_t hash = 0;
+};
+
+/// What a run took and found. Times are those of handing bodies over and of update(), less the phases that
+/// the engine marks as set-up, which stand apart in `setup_ms`.
+struct RunReport {
+  std::string engine;
+  std::size_t bodies = 0;
+  double initial_ms = 0;
+  double setup_ms = 0;
+  std::vector<double> update_ms;  ///< one an update after frame 0
+  std::vector<FrameReport> frames;
+};
+
+/// Runs an empty engine over the frames of a source that stands at frame 0. Errors: those of the engine, and
+/// bad_input for a report frame that the run does not reach.
+Result<RunReport> run_engine(Broadphase& engine, FrameSource& source, const RunSettings& settings);
+
+/// Hands all boxes of a source to an empty engine as bodies 0 … n − 1.
+Status insert_all(Broadphase& engine, const FrameSource& source);
+
+/// Hands an engine the boxes that changed in the frame the source stands at.
+Status move_changed(Broadphase& engine, const FrameSource& source);
+
+}  // namespace cellsweep::report
