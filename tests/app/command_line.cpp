@@ -1,0 +1,45 @@
+#include "command_line.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace cellsweep::app {
+namespace {
+
+std::string contents(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+ScratchFolder::ScratchFolder() {
+  static int made = 0;
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  folder_ =
+      std::filesystem::temp_directory_path() / ("cellsweep-" + std::string(test->name()) + "-" +
+                                                std::to_string(getpid()) + "-" + std::to_string(++made));
+  std::filesystem::create_directories(folder_);
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::filesystem::remove_all(folder_);
+}
+
+CommandResult run_command(const std::string& arguments) {
+  const ScratchFolder scratch;
+  const std::string line = std::string(CELLSWEEP_COMMAND) + " " + arguments + " >" + scratch.path("output") +
+                           " 2>" + scratch.path("errors") + " </dev/null";
+  const int status = std::system(line.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(scratch.path("output")),
+          contents(scratch.path("errors"))};
+}
+
+}  // namespace cellsweep::app

@@ -1,0 +1,33 @@
+/// @file
+/// Runs the built `cellsweep` command as a user would.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace cellsweep::app {
+
+struct CommandResult {
+  int exit_code = -1;
+  std::string output;  ///< standard output
+  std::string errors;  ///< standard error
+};
+
+/// Runs `cellsweep ARGUMENTS` through the shell.
+CommandResult run_command(const std::string& arguments);
+
+/// A folder of this test's own, empty at the start and removed at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  std::string path(const std::string& file) const { return (folder_ / file).string(); }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace cellsweep::app

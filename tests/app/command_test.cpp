@@ -1,0 +1,178 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cellsweep/engines.h"
+#include "command_line.h"
+
+namespace cellsweep::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using Json = nlohmann::json;
+
+constexpr const char* kPile = CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-pile-1024.aabbs";
+
+TEST(Command, SaysHowItIsUsedWithExamplesAndExitCodes) {
+  const CommandResult result = run_command("--help");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.output, HasSubstr("Examples:"));
+  EXPECT_THAT(result.output, HasSubstr("Exit codes: 0 good, 1 results differ"));
+}
+
+TEST(Command, GivesEverySubcommandAHelpPage) {
+  for (const std::string name : {"simulate", "replay", "record", "verify", "engines", "demo"}) {
+    const CommandResult result = run_command(name + " --help");
+    EXPECT_EQ(result.exit_code, 0) << name;
+    EXPECT_THAT(result.output, HasSubstr("--help")) << name;
+  }
+}
+
+TEST(Command, ReplaysTheRecordedPileWithItsKnownPairs) {
+  const CommandResult result =
+      run_command(std::string("replay ") + kPile + " --engine control --json --report-frames 0,15,30");
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const Json engine = Json::parse(result.output)["engines"][0];
+  EXPECT_EQ(engine["engine"], "control");
+  EXPECT_EQ(engine["bodies"], 1024);
+  EXPECT_EQ(engine["frames"], 30);
+  EXPECT_EQ(engine["reports"].size(), 3U);
+  EXPECT_EQ(engine["reports"][0], Json::parse(R"({"frame":0,"pairs":5577,"hash":"875cb2208a071dd3"})"));
+  EXPECT_GT(engine["initial_ms"], 0.0);
+  EXPECT_LE(engine["update_ms"]["median"], engine["update_ms"]["p99"]);
+  EXPECT_LE(engine["update_ms"]["p99"], engine["update_ms"]["max"]);
+}
+
+TEST(Command, SimulatesASceneWithEveryEngineByDefault) {
+  const CommandResult result = run_command("simulate --scene varied --bodies 60 --frames 5 --json");
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(Json::parse(result.output)["engines"].size(), engine_table().size());
+}
+
+TEST(Command, GivesTheSameHashesForTheSameSeedAndOthersForAnother) {
+  const auto reports = [](const std::string& seed) {
+    const CommandResult result =
+        run_command("simulate --bodies 300 --frames 3 --json --engine control --seed " + seed);
+    return Json::parse(result.output)["engines"][0]["reports"];
+  };
+  EXPECT_EQ(reports("7"), reports("7"));
+  EXPECT_NE(reports("7"), reports("8"));
+}
+
+TEST(Command, PrintsTablesForAPerson) {
+  const CommandResult result = run_command("simulate --bodies 64 --frames 2");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.output, HasSubstr("engine"));
+  EXPECT_THAT(result.output, HasSubstr("control"));
+  EXPECT_THAT(result.errors, IsEmpty());
+}
+
+TEST(Command, VerifiesEnginesAgainstTheOracle) {
+  const CommandResult result =
+      run_command("verify --scene wall --bodies 200 --moving 1 --spinning --frames 20");
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("exact"));
+}
+
+TEST(Command, ExitsWithOneAndShowsThePairWhenAnEngineIsNotExact) {
+  const std::string arguments = "verify --scene varied --bodies 400 --moving 1 --engine control --literal";
+  const CommandResult table = run_command(arguments);
+  EXPECT_EQ(table.exit_code, 1);
+  EXPECT_THAT(table.output, HasSubstr("overlaps but was not reported"));
+  const CommandResult json = run_command(arguments + " --json");
+  EXPECT_EQ(json.exit_code, 1);
+  EXPECT_EQ(Json::parse(json.output)["exact"], false);
+}
+
+TEST(Command, RecordsASceneThatReplaysToTheSamePairs) {
+  const ScratchFolder scratch;
+  const std::string scene = " --scene clustered --bodies 150 --frames 10";
+  const Json simulated = Json::parse(run_command("simulate --json --engine control" + scene).output);
+  for (const std::string file : {"scene.aabbs", "scene.npy"}) {
+    ASSERT_EQ(run_command("record --out " + scratch.path(file) + scene).exit_code, 0);
+    const CommandResult replayed = run_command("replay --json --engine control " + scratch.path(file));
+    ASSERT_EQ(replayed.exit_code, 0) << replayed.errors;
+    EXPECT_EQ(Json::parse(replayed.output)["engines"][0]["reports"], simulated["engines"][0]["reports"]);
+  }
+}
+
+TEST(Command, ConvertsARecording) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(
+      run_command(std::string("record --from ") + kPile + " --out " + scratch.path("pile.npy")).exit_code, 0);
+  const CommandResult result = run_command("replay --json --frames 0 " + scratch.path("pile.npy"));
+  EXPECT_EQ(Json::parse(result.output)["engines"][0]["reports"][0]["hash"], "875cb2208a071dd3");
+}
+
+TEST(Command, ListsTheEnginesWithWhatTheyHold) {
+  const CommandResult result = run_command("engines --json");
+  ASSERT_EQ(result.exit_code, 0);
+  const Json control = Json::parse(result.output)["engines"][0];
+  EXPECT_EQ(control["engine"], "control");
+  EXPECT_EQ(control["max_bodies"], 4096);
+  EXPECT_EQ(control["raise"], "pair_map_bytes");
+}
+
+TEST(Command, DemonstratesEveryEngineVerified) {
+  const CommandResult result = run_command(std::string("demo ") + kPile);
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  for (const EngineInfo& info : engine_table()) EXPECT_THAT(result.output, HasSubstr(std::string(info.name)));
+  EXPECT_THAT(result.output, HasSubstr("bullet-pile"));
+  EXPECT_THAT(result.output, HasSubstr("paper"));
+  EXPECT_THAT(result.output, Not(HasSubstr("differs")));
+}
+
+struct Refusal {
+  std::string name;
+  std::string arguments;
+  int exit_code;
+  std::string says;
+};
+
+void PrintTo(const Refusal& refusal, std::ostream* stream) {
+  *stream << refusal.arguments;
+}
+
+class RefusedCommand : public testing::TestWithParam<Refusal> {};
+
+TEST_P(RefusedCommand, ExitsWithItsCodeAndSaysWhyOnStandardErrorOnly) {
+  const CommandResult result = run_command(GetParam().arguments);
+  EXPECT_EQ(result.exit_code, GetParam().exit_code);
+  EXPECT_THAT(result.errors, HasSubstr(GetParam().says));
+  EXPECT_THAT(result.output, IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RefusedCommand,
+    testing::Values(
+        Refusal{"NoCommand", "", 2, "subcommand is required"},
+        Refusal{"UnknownCommand", "dance", 2, "subcommand is required"},
+        Refusal{"BodiesNotANumber", "simulate --bodies many", 2, "many"},
+        Refusal{"UnknownEngine", "simulate --engine nosuch", 2,
+                "There is no engine \"nosuch\"; there are: control"},
+        Refusal{"UnknownScene", "simulate --scene nosuch", 2, "nosuch"},
+        Refusal{"MovingAboveOne", "simulate --moving 1.5", 2, "1.5"},
+        Refusal{"ReportFrameNotReached", "simulate --frames 3 --report-frames 9", 2, "the last frame is 3"},
+        Refusal{"MissingFile", "replay /no/such/file.aabbs", 2, "/no/such/file.aabbs"},
+        Refusal{"UnknownEnding", "record --out scene.txt --bodies 10", 2, "scene.txt"},
+        Refusal{"MoreBodiesThanFit", "simulate --bodies 5000 --engine control", 3, "5000 were asked for"},
+        Refusal{"MoreBodiesThanASmallMapHolds", "simulate --bodies 3 --engine control --pair-map-bytes 64", 3,
+                "raise pair_map_bytes"},
+        Refusal{"AMapForNoPair", "simulate --engine control --pair-map-bytes 1", 2,
+                "one pair takes 64 bytes"}),
+    [](const auto& refusal) { return refusal.param.name; });
+
+TEST(Command, RefusesATruncatedRecordingAndNamesThePlace) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path("short.aabbs")) << "too short";
+  const CommandResult result = run_command("replay " + scratch.path("short.aabbs"));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("short.aabbs"));
+}
+
+}  // namespace
+}  // namespace cellsweep::app

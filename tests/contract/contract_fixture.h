@@ -1,0 +1,39 @@
+/// @file
+/// How the contract tests run on every engine: parameters, and names for them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <tuple>
+
+#include "contract/box_kinds.h"
+#include "contract/contract_engines.h"
+
+namespace cellsweep::contract {
+
+/// A test that runs once per engine.
+using PerEngine = testing::TestWithParam<ContractEngine>;
+
+/// A test that runs once per engine and kind of boxes.
+using PerEngineAndKind = testing::TestWithParam<std::tuple<ContractEngine, BoxKind>>;
+
+inline std::string engine_label(const testing::TestParamInfo<ContractEngine>& info) {
+  return info.param.label;
+}
+
+inline std::string engine_and_kind_label(
+    const testing::TestParamInfo<std::tuple<ContractEngine, BoxKind>>& info) {
+  return std::get<0>(info.param).label + "_" + std::string(std::get<1>(info.param).name);
+}
+
+inline auto all_engines() {
+  return testing::ValuesIn(contract_engines());
+}
+
+inline auto all_engines_and_kinds() {
+  const auto kinds = box_kinds();
+  return testing::Combine(all_engines(), testing::ValuesIn(kinds.begin(), kinds.end()));
+}
+
+}  // namespace cellsweep::contract

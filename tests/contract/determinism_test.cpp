@@ -1,0 +1,85 @@
+/// @file
+/// The same calls give the same lists in the same order, whatever the thread count and whoever else is at
+/// work.
+#include <array>
+#include <deque>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "contract/checked_engine.h"
+#include "contract/contract_fixture.h"
+#include "contract/random_caller.h"
+
+namespace cellsweep::contract {
+namespace {
+
+constexpr std::size_t kBodies = 60;
+constexpr std::uint64_t kSeed = 7;
+constexpr int kSteps = 15;
+
+/// The answers to one random sequence of calls, in the engine's own order.
+std::vector<Answer> answers_of(const ContractEngine& engine, const BoxKind& kind) {
+  CheckedEngine checked(engine, story_of(kind, kBodies, kSeed));
+  RandomCaller caller(checked, kind, kBodies, kSeed);
+  std::vector<Answer> answers;
+  testing::AssertionResult good = caller.fill();
+  for (int step = 0; good && step < kSteps; ++step) {
+    good = caller.step();
+    answers.push_back(checked.answer());
+  }
+  EXPECT_TRUE(good);
+  return answers;
+}
+
+ContractEngine with_threads(ContractEngine engine, unsigned threads) {
+  engine.options.threads = threads;
+  engine.label += "_threads_" + std::to_string(threads);
+  return engine;
+}
+
+using DeterminismContract = PerEngineAndKind;
+
+TEST_P(DeterminismContract, TheThreadCountChangesNoListAndNoOrder) {
+  const auto& [engine, kind] = GetParam();
+  const std::vector<Answer> reference = answers_of(engine, kind);
+  for (const unsigned threads : {1U, 2U, 3U, 4U}) {
+    EXPECT_TRUE(reference == answers_of(with_threads(engine, threads), kind)) << threads << " threads";
+  }
+}
+
+TEST_P(DeterminismContract, TwoEnginesCalledInTurnAnswerAlike) {
+  const auto& [engine, kind] = GetParam();
+  CheckedEngine first(engine, "the first of two, " + story_of(kind, kBodies, kSeed));
+  CheckedEngine second(engine, "the second of two, " + story_of(kind, kBodies, kSeed));
+  RandomCaller first_caller(first, kind, kBodies, kSeed);
+  RandomCaller second_caller(second, kind, kBodies, kSeed);
+  ASSERT_TRUE(first_caller.fill());
+  ASSERT_TRUE(second_caller.fill());
+  for (int step = 0; step < kSteps; ++step) {
+    ASSERT_TRUE(first_caller.step());
+    ASSERT_TRUE(second_caller.step());
+    ASSERT_TRUE(first.answer() == second.answer()) << "step " << step;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, DeterminismContract, all_engines_and_kinds(), engine_and_kind_label);
+
+using IndependenceContract = PerEngine;
+
+TEST_P(IndependenceContract, EnginesOnFourThreadsDoNotDisturbEachOther) {
+  const BoxKind& kind = box_kind("touching");
+  const std::vector<Answer> alone = answers_of(GetParam(), kind);
+  std::array<std::vector<Answer>, 4> together;
+  std::deque<std::jthread> threads;
+  for (std::vector<Answer>& answers : together) {
+    threads.emplace_back([&] { answers = answers_of(GetParam(), kind); });
+  }
+  threads.clear();
+  for (const std::vector<Answer>& answers : together) EXPECT_TRUE(answers == alone);
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, IndependenceContract, all_engines(), engine_label);
+
+}  // namespace
+}  // namespace cellsweep::contract

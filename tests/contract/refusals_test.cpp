@@ -1,0 +1,235 @@
+/// @file
+/// Calls that every engine must refuse, with the right words, and as if they had never been made.
+#include <gmock/gmock.h>
+
+#include <cfloat>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contract/checked_engine.h"
+#include "contract/contract_fixture.h"
+
+namespace cellsweep::contract {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// A call and what the engine must say to it.
+struct Refusal {
+  std::string name;
+  std::function<Status(Broadphase&)> call;
+  StatusCode code = StatusCode::ok;
+  std::optional<BodyId> body;
+};
+
+/// Row `i` of overlapping unit cubes.
+Aabb cube(int i) {
+  const float x = 0.75F * static_cast<float>(i);
+  return {{x, 0, 0}, {x + 1, 1, 1}};
+}
+
+/// Bodies 10, 20 … 60 as of the last update, and calls that no update has seen yet: 70 is new, 20 has moved,
+/// 30 is gone, 40 is gone and has come back. Each refusal starts here.
+void set_up(CheckedEngine& checked) {
+  ASSERT_TRUE(
+      checked.insert({10, 20, 30, 40, 50, 60}, {cube(0), cube(1), cube(2), cube(3), cube(4), cube(5)}));
+  ASSERT_TRUE(checked.update());
+  ASSERT_TRUE(checked.insert({70}, {cube(6)}));
+  ASSERT_TRUE(checked.move({20}, {cube(5)}));
+  ASSERT_TRUE(checked.remove({30}));
+  ASSERT_TRUE(checked.remove({40}));
+  ASSERT_TRUE(checked.insert({40}, {cube(4)}));
+}
+
+/// Goes on after the refusal, so that whatever it left inside the engine shows.
+void go_on(CheckedEngine& checked) {
+  ASSERT_TRUE(checked.update());
+  ASSERT_TRUE(checked.insert({0, 30, 500, 501, 0xffffffff}, {cube(0), cube(1), cube(2), cube(3), cube(4)}));
+  ASSERT_TRUE(checked.update());
+  ASSERT_TRUE(checked.move({10, 20, 40, 50, 60, 70}, {cube(6), cube(5), cube(4), cube(3), cube(2), cube(1)}));
+  ASSERT_TRUE(checked.update());
+  ASSERT_TRUE(checked.remove(checked.model().ids()));
+  ASSERT_TRUE(checked.update());
+}
+
+/// The engine with the refused call and one that never saw it must answer alike, in the same order.
+void expect_refusal(const ContractEngine& engine, const Refusal& refusal) {
+  SCOPED_TRACE(engine.label + ": " + refusal.name);
+  CheckedEngine tried(engine, refusal.name);
+  CheckedEngine spared(engine, "without " + refusal.name);
+  set_up(tried);
+  set_up(spared);
+  Status status;
+  ASSERT_TRUE(tried.refuse(refusal.call, status));
+  EXPECT_EQ(status.code, refusal.code) << status.message;
+  EXPECT_EQ(status.body, refusal.body) << status.message;
+  EXPECT_FALSE(status.message.empty());
+  if (refusal.body) {
+    EXPECT_THAT(status.message, testing::HasSubstr(std::to_string(*refusal.body)));
+  }
+
+  go_on(tried);
+  go_on(spared);
+  EXPECT_EQ(tried.answer(), spared.answer());
+}
+
+using RefusalsContract = PerEngine;
+
+/// A box with one fault on one axis.
+struct Fault {
+  std::string name;
+  float min;
+  float max;
+};
+
+const std::vector<Fault>& faults() {
+  static const std::vector<Fault> all = {
+      {"NaN below", kNan, 1},
+      {"NaN above", 0, kNan},
+      {"two NaNs", kNan, kNan},
+      {"a negative NaN", -kNan, 1},
+      {"infinity above", 0, kInfinity},
+      {"minus infinity below", -kInfinity, 1},
+      {"infinity at both ends", kInfinity, kInfinity},
+      {"all of the axis", -kInfinity, kInfinity},
+      {"ends the wrong way round", 1, 0},
+      {"ends the wrong way round by one bit", 1 + FLT_EPSILON, 1},
+      {"ends the wrong way round around zero", FLT_MIN, -0.0F},
+      {"the largest ends the wrong way round", FLT_MAX, -FLT_MAX},
+  };
+  return all;
+}
+
+Aabb faulty_box(const Fault& fault, std::size_t axis) {
+  Aabb box = cube(1);
+  box.min[axis] = fault.min;
+  box.max[axis] = fault.max;
+  return box;
+}
+
+TEST_P(RefusalsContract, ABadBoxIsRefusedAloneAndAtEitherEndOfABulkCall) {
+  for (const Fault& fault : faults()) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Aabb bad = faulty_box(fault, axis);
+      const std::string what = fault.name + " on axis " + std::to_string(axis);
+      const std::vector<Aabb> bad_first = {bad, cube(1), cube(2)};
+      const std::vector<Aabb> bad_last = {cube(1), cube(2), bad};
+      const std::vector<BodyId> fresh = {500, 501, 502};
+      const std::vector<BodyId> held = {10, 20, 70};
+      const std::vector<Refusal> refusals = {
+          {"insert of " + what, [&](Broadphase& e) { return e.insert(500, bad); }, StatusCode::invalid_box,
+           500},
+          {"move to " + what, [&](Broadphase& e) { return e.move(10, bad); }, StatusCode::invalid_box, 10},
+          {"bulk insert that starts with " + what, [&](Broadphase& e) { return e.insert(fresh, bad_first); },
+           StatusCode::invalid_box, 500},
+          {"bulk insert that ends with " + what, [&](Broadphase& e) { return e.insert(fresh, bad_last); },
+           StatusCode::invalid_box, 502},
+          {"bulk move that starts with " + what, [&](Broadphase& e) { return e.move(held, bad_first); },
+           StatusCode::invalid_box, 10},
+          {"bulk move that ends with " + what, [&](Broadphase& e) { return e.move(held, bad_last); },
+           StatusCode::invalid_box, 70},
+      };
+      for (const Refusal& refusal : refusals) expect_refusal(GetParam(), refusal);
+      if (HasFailure()) return;
+    }
+  }
+}
+
+/// A bulk call on bodies, each with a good box.
+std::function<Status(Broadphase&)> bulk_insert(std::vector<BodyId> ids) {
+  return [ids](Broadphase& e) { return e.insert(ids, std::vector<Aabb>(ids.size(), cube(3))); };
+}
+std::function<Status(Broadphase&)> bulk_move(std::vector<BodyId> ids) {
+  return [ids](Broadphase& e) { return e.move(ids, std::vector<Aabb>(ids.size(), cube(3))); };
+}
+std::function<Status(Broadphase&)> bulk_remove(std::vector<BodyId> ids) {
+  return [ids](Broadphase& e) { return e.remove(ids); };
+}
+
+TEST_P(RefusalsContract, ABodyThatIsNotThereCannotBeMovedOrRemoved) {
+  constexpr auto code = StatusCode::unknown_body;
+  const std::vector<Refusal> refusals = {
+      {"move of a body never seen", bulk_move({500}), code, 500},
+      {"move of a body removed before the update", bulk_move({30}), code, 30},
+      {"move of body 0", bulk_move({0}), code, 0},
+      {"move of the last id there is", bulk_move({0xffffffff}), code, 0xffffffff},
+      {"bulk move that ends with a body never seen", bulk_move({10, 20, 500}), code, 500},
+      {"bulk move that starts with a body never seen", bulk_move({500, 10, 20}), code, 500},
+      {"remove of a body never seen", bulk_remove({500}), code, 500},
+      {"remove of a body removed before the update", bulk_remove({30}), code, 30},
+      {"remove of body 0", bulk_remove({0}), code, 0},
+      {"remove of the last id there is", bulk_remove({0xffffffff}), code, 0xffffffff},
+      {"bulk remove that ends with a body never seen", bulk_remove({10, 70, 500}), code, 500},
+      {"bulk remove that starts with a body never seen", bulk_remove({500, 10, 70}), code, 500},
+  };
+  for (const Refusal& refusal : refusals) expect_refusal(GetParam(), refusal);
+}
+
+TEST_P(RefusalsContract, ABodyThatIsThereCannotBeInsertedAgain) {
+  constexpr auto code = StatusCode::duplicate_body;
+  const std::vector<Refusal> refusals = {
+      {"insert of a body of the last update", bulk_insert({10}), code, 10},
+      {"insert of a body that has moved", bulk_insert({20}), code, 20},
+      {"insert of a body that no update has seen", bulk_insert({70}), code, 70},
+      {"insert of a body that went and came back", bulk_insert({40}), code, 40},
+      {"bulk insert that ends with a body held", bulk_insert({500, 501, 10}), code, 10},
+      {"bulk insert that starts with a body held", bulk_insert({10, 500, 501}), code, 10},
+  };
+  for (const Refusal& refusal : refusals) expect_refusal(GetParam(), refusal);
+}
+
+TEST_P(RefusalsContract, ABodyCannotBeListedTwiceInOneCall) {
+  constexpr auto code = StatusCode::duplicate_body;
+  const std::vector<Refusal> refusals = {
+      {"insert of one body twice", bulk_insert({500, 500}), code, 500},
+      {"insert of one body twice, apart", bulk_insert({501, 500, 502, 501}), code, 501},
+      {"move of one body twice", bulk_move({10, 10}), code, 10},
+      {"move of one body twice, apart", bulk_move({20, 10, 70, 20}), code, 20},
+      {"remove of one body twice", bulk_remove({10, 10}), code, 10},
+      {"remove of one body twice, apart", bulk_remove({70, 10, 20, 70}), code, 70},
+  };
+  for (const Refusal& refusal : refusals) expect_refusal(GetParam(), refusal);
+}
+
+/// A bulk call with ids and boxes that differ in number.
+using BulkCall = Status (Broadphase::*)(std::span<const BodyId>, std::span<const Aabb>);
+
+Refusal uneven(const std::string& name, BulkCall call, std::vector<BodyId> ids, std::size_t boxes) {
+  return {name + " of " + std::to_string(ids.size()) + " ids with " + std::to_string(boxes) + " boxes",
+          [=](Broadphase& e) { return (e.*call)(ids, std::vector<Aabb>(boxes, cube(3))); },
+          StatusCode::bad_input,
+          {}};
+}
+
+TEST_P(RefusalsContract, EveryIdNeedsABoxAndEveryBoxAnId) {
+  constexpr BulkCall insert = &Broadphase::insert;
+  constexpr BulkCall move = &Broadphase::move;
+  const std::vector<Refusal> refusals = {
+      uneven("insert", insert, {500, 501, 502}, 7),
+      uneven("insert", insert, {500, 501}, 1),
+      uneven("insert", insert, {500}, 0),
+      uneven("insert", insert, {}, 1),
+      uneven("move", move, {10, 20, 70}, 7),
+      uneven("move", move, {10, 20}, 1),
+      uneven("move", move, {10}, 0),
+      uneven("move", move, {}, 1),
+  };
+  for (const Refusal& refusal : refusals) expect_refusal(GetParam(), refusal);
+}
+
+TEST_P(RefusalsContract, TheWordsForSpansOfDifferentLengthNameBothLengths) {
+  const auto engine = make(GetParam());
+  const Status status = engine->insert(std::vector<BodyId>(31), std::vector<Aabb>(47));
+  EXPECT_EQ(status.code, StatusCode::bad_input);
+  EXPECT_THAT(status.message, testing::AllOf(testing::HasSubstr("31"), testing::HasSubstr("47")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, RefusalsContract, all_engines(), engine_label);
+
+}  // namespace
+}  // namespace cellsweep::contract

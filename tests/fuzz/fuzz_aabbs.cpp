@@ -1,0 +1,14 @@
+/// @file
+/// Feeds any bytes to the reader of Broadmark's .aabbs.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "recording_properties.h"
+#include "world/aabbs_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  cellsweep::check_reader({cellsweep::parse_aabbs, cellsweep::aabbs_bytes},
+                          std::as_bytes(std::span(data, size)));
+  return 0;
+}
