@@ -3,7 +3,7 @@
 
 packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev nlohmann-json3-dev libgtest-dev
   libgmock-dev libbenchmark-dev)
-packages_to_fuzz=(clang libclang-rt-14-dev)
+packages_for_clang=(clang libclang-rt-14-dev)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -26,7 +26,7 @@ class BodyTable {
   /// Slots ever given out: an upper bound of every slot in use.
   std::size_t slot_count() const { return ids_.size(); }
 
-  /// Makes room so that inserting `count` more bodies allocates nothing and cannot fail.
+  /// Makes room for `count` more bodies at once, so that inserting them does not rehash or copy.
   void reserve_more(std::size_t count);
 
   /// The slot of a new body; the id must not be in the table. The slot freed last is used first.
