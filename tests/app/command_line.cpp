@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "broadphase/text.h"
+
 namespace cellsweep::app {
 namespace {
 
@@ -35,8 +37,8 @@ ScratchFolder::~ScratchFolder() {
 
 CommandResult run_command(const std::string& arguments) {
   const ScratchFolder scratch;
-  const std::string line = std::string(CELLSWEEP_COMMAND) + " " + arguments + " >" + scratch.path("output") +
-                           " 2>" + scratch.path("errors") + " </dev/null";
+  const std::string line = text(CELLSWEEP_COMMAND, " ", arguments, " >", scratch.path("output"), " 2>",
+                                scratch.path("errors"), " </dev/null");
   const int status = std::system(line.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(scratch.path("output")),
           contents(scratch.path("errors"))};
