@@ -1,0 +1,72 @@
+#include "host/elf_image.h"
+
+#include <elf.h>
+
+#include <cstring>
+
+namespace spu_emu {
+
+namespace {
+template <class Struct>
+std::optional<Struct> read_at(std::span<const std::byte> file, std::uint64_t offset) {
+  if (offset > file.size() || file.size() - offset < sizeof(Struct)) return std::nullopt;
+  Struct value;
+  std::memcpy(&value, file.data() + offset, sizeof value);
+  return value;
+}
+
+std::uint16_t big_endian_half(const unsigned char* bytes) {
+  return static_cast<std::uint16_t>((bytes[0] << 8U) | bytes[1]);
+}
+
+/// Sets the size of the module's constructor array to 0 in the dynamic section and remembers where it was.
+bool take_constructors(PreparedModule& module, const Elf64_Phdr& dynamic) {
+  for (std::uint64_t at = 0; at + sizeof(Elf64_Dyn) <= dynamic.p_filesz; at += sizeof(Elf64_Dyn)) {
+    auto entry = read_at<Elf64_Dyn>(module.file, dynamic.p_offset + at);
+    if (!entry) return false;
+    if (entry->d_tag == DT_NULL) return true;
+    if (entry->d_tag == DT_INIT_ARRAY) module.init_array = entry->d_un.d_ptr;
+    if (entry->d_tag != DT_INIT_ARRAYSZ) continue;
+    module.init_count = entry->d_un.d_val / sizeof(void*);
+    entry->d_un.d_val = 0;
+    std::memcpy(module.file.data() + dynamic.p_offset + at, &*entry, sizeof *entry);
+  }
+  return true;
+}
+}  // namespace
+
+ImageKind image_kind(const void* image) {
+  const auto* ident = static_cast<const unsigned char*>(image);
+  if (std::memcmp(ident, ELFMAG, SELFMAG) != 0) return ImageKind::none;
+  const unsigned char* machine = ident + offsetof(Elf32_Ehdr, e_machine);
+  constexpr std::uint16_t kSpu = 23;
+  if (ident[EI_CLASS] == ELFCLASS32 && ident[EI_DATA] == ELFDATA2MSB && big_endian_half(machine) == kSpu) {
+    return ImageKind::spu_elf;
+  }
+  Elf64_Ehdr header;
+  std::memcpy(&header, image, sizeof header);
+  const bool host = ident[EI_CLASS] == ELFCLASS64 && ident[EI_DATA] == ELFDATA2LSB &&
+                    header.e_machine == EM_X86_64 && header.e_type == ET_DYN;
+  return host ? ImageKind::host_module : ImageKind::none;
+}
+
+std::size_t image_size(const void* image) {
+  Elf64_Ehdr header;
+  std::memcpy(&header, image, sizeof header);
+  return header.e_shoff + std::size_t{header.e_shnum} * header.e_shentsize;
+}
+
+std::optional<PreparedModule> prepare_module(std::span<const std::byte> file) {
+  const auto header = read_at<Elf64_Ehdr>(file, 0);
+  if (!header || image_kind(file.data()) != ImageKind::host_module) return std::nullopt;
+  PreparedModule module;
+  module.file.assign(file.begin(), file.end());
+  for (std::uint64_t i = 0; i < header->e_phnum; ++i) {
+    const auto segment = read_at<Elf64_Phdr>(file, header->e_phoff + i * sizeof(Elf64_Phdr));
+    if (!segment) return std::nullopt;
+    if (segment->p_type == PT_DYNAMIC && !take_constructors(module, *segment)) return std::nullopt;
+  }
+  return module;
+}
+
+}  // namespace spu_emu

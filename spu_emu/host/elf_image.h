@@ -1,0 +1,34 @@
+// Reads what the loader must know of a program image, trusting none of its numbers.
+#ifndef SPU_EMU_HOST_ELF_IMAGE_H
+#define SPU_EMU_HOST_ELF_IMAGE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace spu_emu {
+
+enum class ImageKind { none, host_module, spu_elf };
+
+/// What the first 64 bytes at `image` say it is; the caller vouches for those bytes.
+ImageKind image_kind(const void* image);
+
+/// Bytes of the ELF file at `image`: the end of its section header table, which linkers put last.
+std::size_t image_size(const void* image);
+
+/// A module's file with its constructors taken out of the dynamic linker's hands: `init_array` says where
+/// they are (addresses relative to the load address).
+struct PreparedModule {
+  std::vector<std::byte> file;
+  std::uint64_t init_array = 0;
+  std::uint64_t init_count = 0;
+};
+
+/// Nothing if `file` is no well-formed x86-64 shared object.
+std::optional<PreparedModule> prepare_module(std::span<const std::byte> file);
+
+}  // namespace spu_emu
+
+#endif

@@ -1,0 +1,89 @@
+// What the SDK has no name for: how SPEs are emulated, what they did, and why one stopped.
+#ifndef SPU_EMU_EMULATION_H
+#define SPU_EMU_EMULATION_H
+
+#include <libspe2.h>
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+
+#include "spu_emu/dma_mode.h"
+
+namespace spu_emu {
+
+/// Settings of one SPE, fixed when its context is created. Sizes are in bytes.
+struct EmulationSettings {
+  DmaMode dma_mode = DmaMode::eager;
+  /// Chooses the order of late transfers; contexts of the same seed and the same program behave the same.
+  std::uint64_t seed = 1;
+  /// All of code, data, heap and stack must fit in; a multiple of 128. 0 is off: 1 GB.
+  std::uint32_t local_store_limit = 256 * 1024;
+  /// What the program's code and constants are taken to occupy.
+  std::uint32_t code_reserve = 48 * 1024;
+  /// What the stack is taken to occupy; DMA reaches stack buffers within it. A multiple of 128.
+  std::uint32_t stack_reserve = 16 * 1024;
+  /// Decrementer ticks per second.
+  double timebase_hertz = 79.8e6;
+  /// Keep a timeline for write_trace.
+  bool trace = false;
+};
+
+/// Settings of contexts created from now on; process-wide, any thread. Throws std::invalid_argument, and
+/// changes nothing, when the reserves do not fit into the limit or a size is no multiple of 128.
+void set_default_settings(const EmulationSettings& settings);
+EmulationSettings default_settings();
+
+/// Settings of the contexts that the constructing thread creates during this object's life; scopes nest.
+/// Throws like set_default_settings.
+class SettingsScope {
+ public:
+  explicit SettingsScope(const EmulationSettings& settings);
+  ~SettingsScope();
+  SettingsScope(const SettingsScope&) = delete;
+  SettingsScope& operator=(const SettingsScope&) = delete;
+
+ private:
+  const EmulationSettings* outer_;
+  EmulationSettings settings_;
+};
+
+/// What one SPE has done since its context was created. Commands and bytes count when they move.
+struct SpeStatistics {
+  std::uint64_t gets = 0;
+  std::uint64_t puts = 0;
+  std::uint64_t bytes_in = 0;
+  std::uint64_t bytes_out = 0;
+  std::uint64_t list_elements = 0;
+  /// Commands that found the queue full.
+  std::uint64_t queue_stalls = 0;
+  std::uint64_t proxy_gets = 0;
+  std::uint64_t proxy_puts = 0;
+  std::uint64_t tag_waits = 0;
+  /// Channel accesses that had to wait.
+  std::uint64_t mailbox_waits = 0;
+  std::uint64_t signal_waits = 0;
+  std::uint64_t event_waits = 0;
+  std::uint64_t atomics = 0;
+  std::uint64_t failed_atomics = 0;
+  /// Local store in use at most, in bytes: code reserve, data, heap blocks, stack reserve.
+  std::uint32_t local_store_high_water = 0;
+};
+
+/// May be called while the SPE runs; the numbers are then of about now.
+SpeStatistics statistics(spe_context_ptr_t spe);
+
+/// The rule that the context's last failing call broke, with LS address, EA, size, tag and source line as far
+/// as known; empty when there was none. Not while the context runs.
+std::string last_fault(spe_context_ptr_t spe);
+
+/// Code, data, heap, stack and free bytes of the local store, one line each. Not while the context runs.
+std::string local_store_map(spe_context_ptr_t spe);
+
+/// Writes everything traced so far, of all contexts, as Chrome trace JSON (opens in Perfetto), and forgets
+/// it.
+void write_trace(std::ostream& out);
+
+}  // namespace spu_emu
+
+#endif

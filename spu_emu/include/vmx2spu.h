@@ -1,0 +1,20 @@
+// The PPU's AltiVec functions (vec_) for SPU programs, with AltiVec's semantics and SPU arithmetic.
+//
+// Elements and patterns as in spu_intrinsics.h. Everything is a function, also what the SDK defined as a
+// macro.
+#ifndef SPU_EMU_VMX2SPU_H
+#define SPU_EMU_VMX2SPU_H
+
+#include "spu_intrinsics.h"
+
+#include "spu_emu/intrinsics/vmx_arithmetic.h"
+#include "spu_emu/intrinsics/vmx_compare.h"
+#include "spu_emu/intrinsics/vmx_float.h"
+#include "spu_emu/intrinsics/vmx_logical.h"
+#include "spu_emu/intrinsics/vmx_memory.h"
+#include "spu_emu/intrinsics/vmx_multiply.h"
+#include "spu_emu/intrinsics/vmx_pack.h"
+#include "spu_emu/intrinsics/vmx_scalar.h"
+#include "spu_emu/intrinsics/vmx_shift.h"
+
+#endif

@@ -1,0 +1,372 @@
+#include "mfc/command_queue.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "mfc/fault.h"
+#include "mfc/format.h"
+#include "mfc/watch.h"
+
+namespace spu_emu {
+
+namespace {
+bool is_simple_transfer(std::uint32_t opcode) {
+  return (is_store(opcode) || is_get(opcode)) && !is_list(opcode);
+}
+bool is_line_store(std::uint32_t opcode) {
+  return opcode == MFC_PUTQLLUC_CMD;
+}
+std::uint32_t tag_bit(const Command& command) {
+  return 1U << (command.tag & 31U);
+}
+}  // namespace
+
+CommandQueue::CommandQueue(LocalStoreView& store, const QueueSetup& setup)
+    : issuer_(setup.issuer),
+      mode_(setup.mode),
+      depth_(setup.issuer == Issuer::proxy ? kProxyQueueDepth : kSpuQueueDepth),
+      events_(setup.events),
+      log_(setup.log),
+      transfers_(store, counters_),
+      store_(store),
+      random_(setup.seed) {
+  queue_.reserve(depth_);
+}
+
+TraceTime CommandQueue::trace_time() const {
+  return log_ == nullptr ? TraceTime{} : std::chrono::steady_clock::now();
+}
+
+void CommandQueue::report(const Command& command, TraceTime issued, TraceTime begin) {
+  if (log_ != nullptr) log_->transfer(command, issued, begin);
+}
+
+void CommandQueue::count(const Command& command) {
+  if (is_get(command.opcode)) counters_.gets.add(1);
+  if (is_store(command.opcode) || is_line_store(command.opcode)) counters_.puts.add(1);
+}
+
+void CommandQueue::issue(const Command& command) {
+  if (mode_ == DmaMode::unchecked && queue_.empty() && is_simple_transfer(command.opcode)) {
+    return issue_unchecked(command);
+  }
+  if (mode_ != DmaMode::unchecked) check_command(command, issuer_, store_);
+  if (!late() && queue_.empty() && !is_list(command.opcode)) return perform_now(command);
+  make_room(command);
+  Pending pending = prepare(command);
+  if (late()) {
+    settle_overlaps(pending);
+    watch(pending);
+  }
+  queue_.push_back(std::move(pending));
+  if (!late()) drain();
+}
+
+void CommandQueue::issue_unchecked(const Command& command) {
+  const TraceTime begin = trace_time();
+  count(command);
+  move_piece(command, make_piece(command, command.ls, command.ea, command.size));
+  report(command, begin, begin);
+}
+
+void CommandQueue::perform_now(const Command& command) {
+  const TraceTime begin = trace_time();
+  count(command);
+  if (is_simple_transfer(command.opcode)) {
+    move_piece(command, {store_.at(command.ls, command.size), command.ls, command.size, command.ea});
+  } else {
+    move_other(command);
+  }
+  report(command, begin, begin);
+}
+
+/// What moves no plain bytes between local store and memory.
+void CommandQueue::move_other(const Command& command) {
+  if (is_line_store(command.opcode)) transfers_.put_line(command);
+  if (command.opcode == MFC_SDCRZ_CMD) transfers_.zero_lines(command.ea, command.size);
+}
+
+void CommandQueue::make_room(const Command& command) {
+  if (free_slots() != 0) return;
+  counters_.queue_stalls.add(1);
+  if (!land_first([](const Pending&) { return true; })) {
+    throw Fault(Rule::deadlock, "the queue is full of commands behind a stalled list", command);
+  }
+}
+
+Piece CommandQueue::make_piece(const Command& command, std::uint32_t ls, std::uint64_t ea,
+                               std::uint32_t size) {
+  if (mode_ != DmaMode::unchecked) {
+    std::byte* host = check_transfer(command, ls, ea, size, store_);
+    if (late() && size != 0) check_mapped(command, ea, size);
+    return {host, ls, size, ea};
+  }
+  std::byte* host = store_.at(ls, size);
+  if (host == nullptr) throw Fault(Rule::local_store_range, store_.why_not(ls, size), command);
+  return {host, ls, size, ea};
+}
+
+CommandQueue::Pending CommandQueue::prepare(const Command& command) {
+  Pending pending;
+  pending.command = command;
+  pending.id = next_id_++;
+  pending.issued = trace_time();
+  pending.next_ls = command.ls;
+  if (is_list(command.opcode)) {
+    collect_segment(pending);
+  } else if (is_simple_transfer(command.opcode)) {
+    pending.pieces.push_back(make_piece(command, command.ls, command.ea, command.size));
+  } else if (is_line_store(command.opcode)) {
+    const std::uint32_t ls = command.ls & ~(kLineSize - 1);
+    pending.pieces.push_back({store_.at(ls, kLineSize), ls, kLineSize, command.ea});
+  }
+  return pending;
+}
+
+/// The transfers of a list up to and including its next element that stalls.
+void CommandQueue::collect_segment(Pending& pending) {
+  const auto list = static_cast<std::uint32_t>(pending.command.ea);
+  const std::uint32_t count = pending.command.size / 8;
+  pending.pieces.clear();
+  pending.elements.clear();
+  while (pending.next_element < count) {
+    const ListElement element = read_list_element(store_, list, pending.next_element++);
+    pending.elements.push_back(element);
+    collect_element(pending, element);
+    if (element.notify()) return;
+  }
+}
+
+void CommandQueue::collect_element(Pending& pending, const ListElement& element) {
+  const Command& list = pending.command;
+  Command named = list;
+  named.ls = element_ls(pending.next_ls, element);
+  named.ea = (list.ea & ~std::uint64_t{0xffffffffU}) | element.ea_low;
+  named.size = element.size();
+  if (mode_ != DmaMode::unchecked && std::uint64_t{element.ea_low} + named.size > (std::uint64_t{1} << 32U)) {
+    throw Fault(Rule::list_crosses_4_gb,
+                format("element %u crosses a 4 GB boundary", pending.next_element - 1), named);
+  }
+  pending.pieces.push_back(make_piece(named, named.ls, named.ea, named.size));
+  pending.next_ls = next_element_ls(pending.next_ls, element);
+}
+
+/// A command issued before `pending` that is in flight on local store bytes that one of the two writes.
+const CommandQueue::Pending* CommandQueue::find_overlap(const Pending& pending) const {
+  for (const Pending& earlier : queue_) {
+    if (earlier.id >= pending.id) break;
+    if (!is_get(earlier.command.opcode) && !is_get(pending.command.opcode)) continue;
+    for (const Piece& one : earlier.pieces) {
+      for (const Piece& other : pending.pieces) {
+        if (overlap(one, other)) return &earlier;
+      }
+    }
+  }
+  return nullptr;
+}
+
+/// Commands on the same local store bytes must be ordered; then the earlier one lands now, before bytes are
+/// poisoned.
+void CommandQueue::settle_overlaps(const Pending& pending) {
+  while (const Pending* earlier = find_overlap(pending)) {
+    if (!must_precede(earlier->command, pending.command)) {
+      throw Fault(
+          Rule::in_flight_overlap,
+          format("a %s of tag %u on the same local store bytes is in flight and no fence or barrier orders "
+                 "the two",
+                 command_name(earlier->command.opcode), earlier->command.tag),
+          pending.command);
+    }
+    const std::uint64_t id = earlier->id;
+    if (!land_first([id](const Pending& other) { return other.id == id; })) {
+      throw Fault(Rule::deadlock, "the command waits for a stalled list on the same bytes", pending.command);
+    }
+  }
+}
+
+void CommandQueue::watch(Pending& pending) {
+  pending.watched = true;
+  if (is_get(pending.command.opcode)) {
+    poison(pending.pieces);
+  } else {
+    pending.source = snapshot(pending.pieces);
+  }
+}
+
+/// Throws Fault if the program touched what it must not before the landing.
+void CommandQueue::end_watch(Pending& pending) {
+  if (!pending.watched) return;
+  pending.watched = false;
+  const Command& command = pending.command;
+  if (is_get(command.opcode)) {
+    if (!end_poison(pending.pieces)) {
+      throw Fault(Rule::in_flight_write, "the program wrote to the destination before waiting for the tag",
+                  command);
+    }
+  } else if (snapshot(pending.pieces) != pending.source) {
+    throw Fault(Rule::in_flight_source, "the program changed the source before waiting for the tag", command);
+  }
+  const auto first = pending.next_element - static_cast<std::uint32_t>(pending.elements.size());
+  for (std::uint32_t i = 0; i < pending.elements.size(); ++i) {
+    if (read_list_element(store_, static_cast<std::uint32_t>(command.ea), first + i) != pending.elements[i]) {
+      throw Fault(Rule::in_flight_list, format("element %u changed before the list was done", first + i),
+                  command);
+    }
+  }
+}
+
+bool CommandQueue::can_land(std::size_t index) const {
+  if (queue_[index].stalled) return false;
+  return std::none_of(
+      queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(index),
+      [&](const Pending& earlier) { return must_precede(earlier.command, queue_[index].command); });
+}
+
+/// A command that can land now and is wanted or must go before a wanted one: a random one in late mode, else
+/// the first.
+std::optional<std::size_t> CommandQueue::choose(const Wanted& wanted) {
+  std::array<bool, kSpuQueueDepth> needed{};
+  std::array<std::size_t, kSpuQueueDepth> candidates{};
+  std::size_t found = 0;
+  for (std::size_t i = queue_.size(); i-- > 0;) {
+    needed[i] = needed[i] || wanted(queue_[i]);
+    if (!needed[i]) continue;
+    for (std::size_t j = 0; j < i; ++j) {
+      needed[j] = needed[j] || must_precede(queue_[j].command, queue_[i].command);
+    }
+    if (can_land(i)) candidates[found++] = i;
+  }
+  if (found == 0) return std::nullopt;
+  return late() ? candidates[random_.below(found)] : candidates[found - 1];
+}
+
+bool CommandQueue::land_first(const Wanted& wanted) {
+  const auto index = choose(wanted);
+  if (index) land(*index);
+  return index.has_value();
+}
+
+void CommandQueue::land_wanted(const Wanted& wanted) {
+  while (land_first(wanted)) {
+  }
+}
+
+void CommandQueue::land(std::size_t index) {
+  Pending pending = std::move(queue_[index]);
+  const bool was_full = free_slots() == 0;
+  queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(index));
+  end_watch(pending);
+  const TraceTime begin = trace_time();
+  move(pending);
+  report(pending.command, pending.issued, begin);
+  if (!pending.elements.empty() && pending.elements.back().notify()) return stall(std::move(pending), index);
+  count(pending.command);
+  if (was_full && events_ != nullptr) events_->raise_own(MFC_COMMAND_QUEUE_AVAILABLE_EVENT);
+}
+
+void CommandQueue::move(const Pending& pending) {
+  const Command& command = pending.command;
+  if (!is_get(command.opcode) && !is_store(command.opcode)) return move_other(command);
+  for (const Piece& piece : pending.pieces) move_piece(command, piece);
+  counters_.list_elements.add(pending.elements.size());
+}
+
+void CommandQueue::move_piece(const Command& command, const Piece& piece) {
+  if (piece.size == 0) return;
+  if (is_get(command.opcode)) {
+    transfers_.get(command, piece);
+  } else {
+    transfers_.put(command, piece);
+  }
+}
+
+void CommandQueue::stall(Pending pending, std::size_t index) {
+  pending.stalled = true;
+  pending.pieces.clear();
+  pending.elements.clear();
+  const std::uint32_t bit = tag_bit(pending.command);
+  queue_.insert(queue_.begin() + static_cast<std::ptrdiff_t>(index), std::move(pending));
+  stall_status_ |= bit;
+  if (events_ != nullptr) events_->raise_own(MFC_LIST_STALL_NOTIFY_EVENT);
+}
+
+std::uint32_t CommandQueue::take_stall_status() {
+  return std::exchange(stall_status_, 0U);
+}
+
+void CommandQueue::acknowledge_stall(std::uint32_t tag, SourceLine where) {
+  std::vector<std::uint64_t> stalled;
+  for (const Pending& pending : queue_) {
+    if (pending.stalled && pending.command.tag == tag) stalled.push_back(pending.id);
+  }
+  if (stalled.empty()) {
+    throw Fault(Rule::list_acknowledge, format("no list of tag %u has stalled", tag),
+                Command{MFC_GETL_CMD, tag, 0, 0, 0, where});
+  }
+  for (const std::uint64_t id : stalled) resume(id);
+  if (!late()) drain();
+}
+
+std::size_t CommandQueue::index_of(std::uint64_t id) const {
+  const auto found =
+      std::find_if(queue_.begin(), queue_.end(), [id](const Pending& p) { return p.id == id; });
+  return static_cast<std::size_t>(found - queue_.begin());
+}
+
+/// The list keeps its place in the queue, stalled, until its next transfers are known to be legal.
+void CommandQueue::resume(std::uint64_t id) {
+  Pending next = queue_[index_of(id)];
+  next.stalled = false;
+  collect_segment(next);
+  if (late()) {
+    settle_overlaps(next);
+    watch(next);
+  }
+  queue_[index_of(id)] = std::move(next);
+}
+
+std::uint32_t CommandQueue::pending_tags() const {
+  std::uint32_t tags = 0;
+  for (const Pending& pending : queue_) tags |= tag_bit(pending.command);
+  return tags;
+}
+
+void CommandQueue::land_tags(std::uint32_t tags) {
+  if (queue_.empty()) return;
+  land_wanted([tags](const Pending& pending) { return (tag_bit(pending.command) & tags) != 0; });
+}
+
+void CommandQueue::land_stores() {
+  if (queue_.empty()) return;
+  land_wanted([](const Pending& pending) {
+    return is_store(pending.command.opcode) || is_line_store(pending.command.opcode);
+  });
+}
+
+void CommandQueue::land_all() {
+  land_wanted([](const Pending&) { return true; });
+}
+
+void CommandQueue::drain() {
+  land_all();
+}
+
+bool CommandQueue::land_one(std::uint32_t tags) {
+  return land_first([tags](const Pending& pending) { return (tag_bit(pending.command) & tags) != 0; });
+}
+
+void CommandQueue::land_stalling_lists() {
+  land_wanted(
+      [](const Pending& pending) { return !pending.elements.empty() && pending.elements.back().notify(); });
+}
+
+void CommandQueue::clear() {
+  for (const Pending& pending : queue_) {
+    if (pending.watched && is_get(pending.command.opcode)) end_poison(pending.pieces);
+  }
+  queue_.clear();
+  stall_status_ = 0;
+}
+
+}  // namespace spu_emu
