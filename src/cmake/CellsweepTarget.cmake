@@ -1,6 +1,6 @@
 # How every target of the project is compiled.
 
-# cellsweep_target(TARGET): C++20, our warnings, no fused multiply-add behind our back, sanitizers if asked for.
+# cellsweep_target(TARGET): C++20, our warnings, no fused multiply-add behind our back.
 function(cellsweep_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
@@ -8,11 +8,6 @@ function(cellsweep_target target)
                                            -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
   if(CELLSWEEP_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
-  endif()
-  if(CELLSWEEP_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=${CELLSWEEP_SANITIZE} -fno-sanitize-recover=all
-                                             -fno-omit-frame-pointer)
-    target_link_options(${target} PUBLIC -fsanitize=${CELLSWEEP_SANITIZE})
   endif()
 endfunction()
 

@@ -76,7 +76,7 @@ TEST(Context, problem_state_areas_need_map_ps) {
   EXPECT_NE(spe_ps_area_get(mapped.spe, SPE_CONTROL_AREA), nullptr);
   EXPECT_NE(spe_ps_area_get(mapped.spe, SPE_SIG_NOTIFY_1_AREA),
             spe_ps_area_get(mapped.spe, SPE_SIG_NOTIFY_2_AREA));
-  EXPECT_EQ(spe_ps_area_get(mapped.spe, static_cast<ps_area>(9)), nullptr);
+  EXPECT_EQ(spe_ps_area_get(mapped.spe, static_cast<ps_area>(7)), nullptr);
   EXPECT_EQ(errno, EINVAL);
 }
 
