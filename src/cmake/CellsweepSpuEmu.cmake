@@ -1,0 +1,11 @@
+# Builds spu_emu as part of this project, sanitizers included: they must see both sides of every hand-over.
+function(cellsweep_add_spu_emu)
+  if(CELLSWEEP_SANITIZE)
+    add_compile_options(-fsanitize=${CELLSWEEP_SANITIZE} -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${CELLSWEEP_SANITIZE})
+  endif()
+  set(SPU_EMU_TESTS OFF CACHE BOOL "Build the tests of spu_emu")
+  set(SPU_EMU_EXAMPLES OFF CACHE BOOL "Build the examples of spu_emu")
+  add_subdirectory(${PROJECT_SOURCE_DIR}/spu_emu ${PROJECT_BINARY_DIR}/spu_emu)
+endfunction()
+cellsweep_add_spu_emu()
