@@ -9,6 +9,11 @@
 
 #include "bench/context.h"
 #include "bench/engine_suite.h"
+#ifdef CELLSWEEP_CELL_ENGINES
+#include "bench/cell_suite.h"
+#include "bench/first_attempt_suite.h"
+#include "bench/sort_suite.h"
+#endif
 
 namespace {
 
@@ -28,6 +33,11 @@ int main(int argc, char** argv) {
   int count = static_cast<int>(arguments.size());
   cellsweep::bench::add_context();
   cellsweep::bench::register_engine_suite();
+#ifdef CELLSWEEP_CELL_ENGINES
+  cellsweep::bench::register_cell_suite();
+  cellsweep::bench::register_first_attempt_suite();
+  cellsweep::bench::register_sort_suite();
+#endif
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   benchmark::RunSpecifiedBenchmarks();

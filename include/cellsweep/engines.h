@@ -5,11 +5,19 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "cellsweep/broadphase.h"
 
 namespace cellsweep {
+
+/// When a DMA transfer of a Cell engine moves its bytes.
+enum class DmaMode {
+  eager,  ///< when the command is issued; every rule of the hardware is checked
+  late,   ///< at the wait that covers it, in an order shuffled by a seed, its destination poisoned until then
+  unchecked  ///< when the command is issued; no rules, to measure what they cost
+};
 
 /// Settings of all engines; an engine reads those that it names and ignores the others.
 struct EngineOptions {
@@ -19,11 +27,37 @@ struct EngineOptions {
 
   /// control: run listing 4.5 to the letter: an overlap test that misses a box inside another, and an order
   /// by value only that misses touches. Not exact; there to count what it misses.
+  ///
+  /// cell-paper: the document's own logic as it stands (C9, C11, C12); not exact either.
   bool literal = false;
 
   /// control: the most memory, in bytes, that its map of all possible pairs may take (X1). The default holds
   /// 4,096 bodies.
+  /// cell-paper keeps the same map on its host side (C15).
   std::uint64_t pair_map_bytes = std::uint64_t{512} << 20;
+
+  /// cell-paper: the document's overlap test, 1 (walk along the sorted ids, C11) or 2 (all others, C12).
+  unsigned method = 1;
+
+  /// Cell engines: how many SPUs work; 0 lets the engine choose. cell-paper has one for each axis, always.
+  unsigned spus = 0;
+
+  /// Cell engines: the local store of one SPE that code, data, heap and stack must fit into, a multiple of
+  /// 128; 0 switches the limit off.
+  std::uint64_t local_store_bytes = std::uint64_t{256} << 10;
+
+  /// Cell engines: when DMA transfers move their bytes.
+  DmaMode dma = DmaMode::eager;
+
+  /// Cell engines: chooses the order in which late transfers land.
+  std::uint64_t dma_seed = 1;
+
+  /// cell-paper: send results by DMA list instead of in chunks (C13).
+  bool list_dma = false;
+
+  /// Cell engines: write a timeline of the SPEs (opens in Perfetto) to this file when the last engine that
+  /// names it is destroyed; empty writes none.
+  std::string trace_file{};
 };
 
 /// One row of the engine table.

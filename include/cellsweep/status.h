@@ -20,6 +20,7 @@ enum class StatusCode {
   capacity,        ///< more than a stated limit allows
   bad_option,      ///< an unknown engine, or a setting out of its range
   bad_input,       ///< arguments or a file that contradict themselves
+  spe_failed,      ///< an SPE of a Cell engine broke a rule or could not be started; the message says which
 };
 
 /// The outcome of a call. When it is not ok, the call changed nothing.

@@ -2,6 +2,8 @@
 #ifndef SPU_EMU_MFC_WAIT_POINT_H
 #define SPU_EMU_MFC_WAIT_POINT_H
 
+#include <sched.h>
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -55,6 +57,8 @@ class WaitPoint {
   static bool spin(Ready& ready) {
     for (int round = 0; round < kSpinRounds; ++round) {
       if (ready()) return true;
+      // More SPEs than processors: the thread waited for may be waiting for this processor.
+      if (round % kYieldEvery == kYieldEvery - 1) sched_yield();
       __builtin_ia32_pause();
     }
     return ready();
@@ -66,6 +70,7 @@ class WaitPoint {
 
   /// About ten microseconds: longer than a mailbox answer from another core, shorter than a time slice.
   static constexpr int kSpinRounds = 300;
+  static constexpr int kYieldEvery = 16;
 
   WaitPoint* also_;
   std::mutex mutex_;

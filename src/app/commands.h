@@ -14,6 +14,7 @@ void add_replay(CLI::App& program, ExitCode& exit_code);
 void add_record(CLI::App& program, ExitCode& exit_code);
 void add_verify(CLI::App& program, ExitCode& exit_code);
 void add_engines(CLI::App& program, ExitCode& exit_code);
+void add_local_store(CLI::App& program, ExitCode& exit_code);
 void add_demo(CLI::App& program, ExitCode& exit_code);
 
 }  // namespace cellsweep::app

@@ -1,9 +1,15 @@
 #include "app/engine_flags.h"
 
+#include <map>
+
 namespace cellsweep::app {
 
-void EngineFlags::add_to(CLI::App& command) {
-  for (const EngineInfo& info : engine_table()) names_.emplace_back(info.name);
+void EngineFlags::add_to(CLI::App& command, std::string only) {
+  if (only.empty()) {
+    for (const EngineInfo& info : engine_table()) names_.emplace_back(info.name);
+  } else {
+    names_.push_back(std::move(only));
+  }
   command.add_option("--engine", names_, "Engines to run, separated by commas")
       ->delimiter(',')
       ->type_name("NAME[,NAME...]")
@@ -13,13 +19,39 @@ void EngineFlags::add_to(CLI::App& command) {
                   "Worker threads of engines that have them; 0: the engine chooses")
       ->capture_default_str();
   command.add_flag("--literal", options_.literal,
-                   "control: the document's listing to the letter, misses and all (not exact)");
+                   "control, cell-paper: the document's logic to the letter, misses and all (not exact)");
   command
       .add_option("--pair-map-bytes", options_.pair_map_bytes,
-                  "control: memory its map of all possible pairs may take, such as 512M")
+                  "control, cell-paper: memory its map of all possible pairs may take, such as 512M")
       ->transform(CLI::AsSizeValue(false))
       ->type_name("SIZE")
       ->capture_default_str();
+  add_cell_flags(command);
+}
+
+void EngineFlags::add_cell_flags(CLI::App& command) {
+  static const std::map<std::string, DmaMode> kModes = {
+      {"eager", DmaMode::eager}, {"late", DmaMode::late}, {"unchecked", DmaMode::unchecked}};
+  command.add_option("--method", options_.method, "cell-paper: the document's overlap test, 1 or 2")
+      ->capture_default_str();
+  command.add_option("--spus", options_.spus, "Cell engines: SPUs that work; 0: the engine chooses")
+      ->capture_default_str();
+  command
+      .add_option("--local-store", options_.local_store_bytes,
+                  "Cell engines: local store of an SPE, such as 128K, or off")
+      ->transform(CLI::AsSizeValue(false).description(""))
+      ->transform(CLI::Transformer(std::map<std::string, std::string>{{"off", "0"}}).description(""))
+      ->type_name("SIZE|off")
+      ->capture_default_str();
+  command.add_option("--dma", options_.dma, "Cell engines: when transfers move: eager, late or unchecked")
+      ->transform(CLI::CheckedTransformer(kModes, CLI::ignore_case).description(""))
+      ->type_name("MODE")
+      ->default_str("eager");
+  command.add_option("--dma-seed", options_.dma_seed, "Cell engines: the order of late transfers")
+      ->capture_default_str();
+  command.add_flag("--list-dma", options_.list_dma, "cell-paper: results by DMA list, not in chunks");
+  command.add_option("--trace", options_.trace_file, "Cell engines: write a timeline that opens in Perfetto")
+      ->type_name("FILE");
 }
 
 Result<Engines> EngineFlags::make() const {

@@ -16,12 +16,18 @@ using Engines = std::vector<std::unique_ptr<Broadphase>>;
 /// Adds --engine, --threads and the settings of single engines to a command, and makes what they ask for.
 class EngineFlags {
  public:
-  void add_to(CLI::App& command);
+  /// `only` as the default of --engine; empty: the whole table.
+  void add_to(CLI::App& command, std::string only = {});
+
+  const std::vector<std::string>& names() const { return names_; }
+  const EngineOptions& options() const { return options_; }
 
   /// One empty engine a name. Errors: those of make_engine().
   Result<Engines> make() const;
 
  private:
+  void add_cell_flags(CLI::App& command);
+
   std::vector<std::string> names_;
   EngineOptions options_;
 };

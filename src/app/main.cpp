@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   add_record(program, exit_code);
   add_verify(program, exit_code);
   add_engines(program, exit_code);
+  add_local_store(program, exit_code);
   add_demo(program, exit_code);
   program.footer(
       "Examples:\n"

@@ -14,5 +14,10 @@ write_basic_package_version_file(cellsweep-config-version.cmake COMPATIBILITY Sa
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cellsweep-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/cellsweep-config-version.cmake DESTINATION ${cellsweep_package_dir})
 
+# The library is static, so what it needs from the system is on every user's link line.
+set(cellsweep_pc_libs "")
+if(CELLSWEEP_CELL_ENGINES)
+  set(cellsweep_pc_libs " -pthread -ldl")
+endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/cellsweep.pc.in cellsweep.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cellsweep.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

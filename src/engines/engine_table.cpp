@@ -4,22 +4,42 @@
 
 #include "broadphase/text.h"
 #include "cellsweep/engines.h"
+#include "cellsweep/local_store.h"
 #include "engines/control/control.h"
+#ifdef CELLSWEEP_CELL_ENGINES
+#include "engines/cell/cell_engines.h"
+#endif
 
 namespace cellsweep {
 namespace {
 
 using Factory = Result<std::unique_ptr<Broadphase>> (*)(const EngineOptions&);
+using MapMaker = Result<LocalStoreMap> (*)(const EngineOptions&, std::uint64_t bodies);
 
 struct Entry {
   EngineInfo info;
   Factory make;
+  MapMaker map = nullptr;  // of engines that have a local store
 };
 
 constexpr std::array kEntries = {
     Entry{{"control",
            "the document's x86 sweep and prune: three insertion-sorted axes, a map of all possible pairs"},
           make_control},
+#ifdef CELLSWEEP_CELL_ENGINES
+    Entry{{"cell-paper",
+           "the document's Cell version step by step: an axis an SPU, threads started each frame"},
+          make_cell_paper,
+          cell_paper_map},
+    Entry{{"cell-brute",
+           "what Bullet's Cell port did: every changed body against all others on the SPUs, no sort"},
+          make_cell_brute,
+          cell_brute_map},
+    Entry{{"cell-resident",
+           "SPU programs that stay alive, keep the pairs' status, and are told only what changed"},
+          make_cell_resident,
+          cell_resident_map},
+#endif
 };
 
 constexpr auto kTable = [] {
@@ -28,6 +48,12 @@ constexpr auto kTable = [] {
                  [](const Entry& entry) { return entry.info; });
   return table;
 }();
+
+const Entry* find_entry(std::string_view name) {
+  const auto entry = std::find_if(kEntries.begin(), kEntries.end(),
+                                  [&](const Entry& candidate) { return candidate.info.name == name; });
+  return entry == kEntries.end() ? nullptr : &*entry;
+}
 
 Status unknown_engine_status(std::string_view name) {
   std::string known;
@@ -47,10 +73,21 @@ std::span<const EngineInfo> engine_table() {
 }
 
 Result<std::unique_ptr<Broadphase>> make_engine(std::string_view name, const EngineOptions& options) {
-  const auto entry = std::find_if(kEntries.begin(), kEntries.end(),
-                                  [&](const Entry& candidate) { return candidate.info.name == name; });
-  if (entry == kEntries.end()) return unknown_engine_status(name);
-  return entry->make(options);
+  const Entry* entry = find_entry(name);
+  return entry == nullptr ? unknown_engine_status(name) : entry->make(options);
+}
+
+Result<LocalStoreMap> local_store_map(std::string_view engine, const EngineOptions& options,
+                                      std::uint64_t bodies) {
+  const Entry* entry = find_entry(engine);
+  if (entry == nullptr) return unknown_engine_status(engine);
+  if (entry->map != nullptr) return entry->map(options, bodies);
+  return Status{StatusCode::bad_option,
+                text("Engine ", engine, " does not run on SPEs and has no local store."),
+                std::nullopt,
+                0,
+                0,
+                "engine"};
 }
 
 }  // namespace cellsweep

@@ -17,12 +17,48 @@ std::string label_of(std::string_view name) {
   return label;
 }
 
+/// The smallest local store, in steps of 4 KiB, that holds the 16 bodies of the fixed scenes.
+EngineOptions small_local_store(const std::string& name, EngineOptions options) {
+  constexpr std::uint64_t kStep = 4096;
+  constexpr std::uint64_t kBodies = 16;
+  for (options.local_store_bytes = kStep;; options.local_store_bytes += kStep) {
+    const auto engine = make_engine(name, options);
+    if (engine.ok() && (*engine)->capacity().bodies >= kBodies) return options;
+  }
+}
+
+/// Transfers that land late, in the orders of several seeds, and every way of the Cell engines' results home.
+void add_cell_options(std::vector<ContractEngine>& engines) {
+  const EngineOptions late{.dma = DmaMode::late, .dma_seed = 11};
+  EngineOptions late_list = late;
+  late_list.dma_seed = 12;
+  late_list.list_dma = true;
+  EngineOptions late_method_2 = late_list;
+  late_method_2.dma_seed = 13;
+  late_method_2.method = 2;
+  EngineOptions late_five_spus = late;
+  late_five_spus.dma_seed = 14;
+  late_five_spus.spus = 5;
+  engines.push_back({"cell-paper", late, "cell_paper_with_late_dma"});
+  engines.push_back({"cell-paper", late_list, "cell_paper_with_late_dma_lists"});
+  engines.push_back({"cell-paper", late_method_2, "cell_paper_with_method_2_and_late_dma_lists"});
+  engines.push_back({"cell-paper", {.method = 2}, "cell_paper_with_method_2"});
+  engines.push_back({"cell-brute", late_five_spus, "cell_brute_with_late_dma_and_five_spus"});
+  engines.push_back({"cell-resident", late, "cell_resident_with_late_dma"});
+  engines.push_back({"cell-resident", late_five_spus, "cell_resident_with_late_dma_and_five_spus"});
+}
+
+bool is_in_table(std::string_view name) {
+  return std::ranges::any_of(engine_table(), [&](const EngineInfo& info) { return info.name == name; });
+}
+
 std::vector<ContractEngine> list_engines() {
   std::vector<ContractEngine> engines;
   for (const EngineInfo& info : engine_table()) {
     engines.push_back({std::string(info.name), {}, label_of(info.name)});
   }
   engines.push_back({"control", {.pair_map_bytes = kSmallPairMap}, "control_with_a_small_pair_map"});
+  if (is_in_table("cell-paper")) add_cell_options(engines);
   return engines;
 }
 
@@ -34,6 +70,7 @@ const std::vector<ContractEngine>& contract_engines() {
 }
 
 std::optional<EngineOptions> small_capacity_options(const ContractEngine& engine) {
+  if (engine.name.starts_with("cell-")) return small_local_store(engine.name, engine.options);
   if (engine.name != "control") return std::nullopt;
   EngineOptions options = engine.options;
   options.pair_map_bytes = kSmallPairMap;

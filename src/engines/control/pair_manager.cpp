@@ -26,6 +26,12 @@ PairInfo PairManager::remove(int one, int other) {
   return info;
 }
 
+PairInfo& PairManager::Cursor::find(int hash) {
+  for (int step = 0; step < kStepsBeforeSearch && at_ != pairs_.end() && at_->first != hash; ++step) ++at_;
+  if (at_ == pairs_.end() || at_->first != hash) at_ = pairs_.find(hash);
+  return at_->second;
+}
+
 PairInfo& PairManager::find(int one, int other) {
   const auto [smaller, larger] = std::minmax(one, other);
   return axis_collisions_.find(pair_hash(smaller, larger))->second;

@@ -45,6 +45,22 @@ class PairManager {
   /// The entry of a pair that is there.
   PairInfo& find(int one, int other);
 
+  /// Finds pairs in ascending order of their hashes. Where they lie close together it walks along the map
+  /// instead of searching from its root. Holds until the map gets or loses a pair.
+  class Cursor {
+   public:
+    explicit Cursor(PairManager& pairs) : pairs_(pairs.axis_collisions_), at_(pairs_.begin()) {}
+
+    /// The entry of a pair that is there.
+    PairInfo& find(int hash);
+
+   private:
+    static constexpr int kStepsBeforeSearch = 2;
+
+    std::map<int, PairInfo>& pairs_;
+    std::map<int, PairInfo>::iterator at_;
+  };
+
   std::size_t size() const { return axis_collisions_.size(); }
 
  private:

@@ -1,0 +1,12 @@
+/// @file
+/// The suite of the Cell engines' settings: DMA mode, local store, overlap method, results by list, SPU
+/// count.
+#pragma once
+
+namespace cellsweep::bench {
+
+/// Registers rows `cell/ENGINE/SETTING/N/MODE` of scene `paper`, each with one setting that is not the
+/// default, and `cell/ENGINE/default/N/MODE` to compare with.
+void register_cell_suite();
+
+}  // namespace cellsweep::bench

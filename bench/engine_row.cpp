@@ -1,0 +1,83 @@
+#include "bench/engine_row.h"
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "report/run_engine.h"
+#include "report/verify.h"
+
+namespace cellsweep::bench {
+namespace {
+
+// Comparing a frame with the oracle takes time with the square of the bodies.
+constexpr std::size_t kUpdatesToCheck = 8;
+constexpr std::size_t kBodiesToCheckLong = 10'000;
+
+using Clock = std::chrono::steady_clock;
+
+// Runs a frame and returns its seconds; set-up phases are taken out.
+template <class HandOver>
+double seconds_of_frame(Broadphase& engine, HandOver&& hand_over) {
+  const Clock::time_point start = Clock::now();
+  hand_over();
+  const bool updated = engine.update().ok();
+  double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  benchmark::DoNotOptimize(updated);
+  for (const Phase& phase : engine.statistics().phases) {
+    if (phase.setup) seconds -= phase.milliseconds / 1000;
+  }
+  return seconds;
+}
+
+double time_initial(const EngineRow& row, const FrameSource& source, std::unique_ptr<Broadphase>& engine) {
+  engine = std::move(*make_engine(row.engine, row.options));
+  return seconds_of_frame(*engine,
+                          [&] { benchmark::DoNotOptimize(report::insert_all(*engine, source).ok()); });
+}
+
+double time_next_frame(const EngineRow& row, FrameSource& source, Broadphase& engine) {
+  if (row.mode == Mode::moving) source.advance();
+  return seconds_of_frame(engine,
+                          [&] { benchmark::DoNotOptimize(report::move_changed(engine, source).ok()); });
+}
+
+// Empty when the engine equals the oracle on the first frames of the row, else what is wrong.
+std::string check(const EngineRow& row) {
+  auto source = make_scene_frames(row.scene);
+  auto engine = make_engine(row.engine, row.options);
+  if (!source) return source.status().message;
+  if (!engine) return engine.status().message;
+  std::vector<std::unique_ptr<Broadphase>> engines;
+  engines.push_back(std::move(*engine));
+  const std::size_t long_check = row.scene.bodies <= kBodiesToCheckLong ? kUpdatesToCheck : 1;
+  const auto verdicts = report::verify_engines(engines, **source, row.mode == Mode::initial ? 0 : long_check);
+  if (!verdicts) return verdicts.status().message;
+  if (verdicts->front().first) return report::describe(*verdicts->front().first);
+  return verdicts->front().exact() ? "" : "began or ended pairs are not the difference of the frames";
+}
+
+void run_row(benchmark::State& state, const EngineRow& row) {
+  if (const std::string fault = check(row); !fault.empty()) return state.SkipWithError(fault.c_str());
+  auto source = std::move(*make_scene_frames(row.scene));
+  std::unique_ptr<Broadphase> engine;
+  if (row.mode != Mode::initial) time_initial(row, *source, engine);
+  for (auto _ : state) {
+    state.SetIterationTime(row.mode == Mode::initial ? time_initial(row, *source, engine)
+                                                     : time_next_frame(row, *source, *engine));
+  }
+  const auto bodies = static_cast<double>(row.scene.bodies);
+  state.counters["pairs"] = static_cast<double>(engine->pairs().size());
+  state.counters["boxes/s"] = benchmark::Counter(bodies, benchmark::Counter::kIsIterationInvariantRate);
+  state.SetLabel(hash_text(pair_set_hash(engine->pairs())));
+}
+
+}  // namespace
+
+void register_engine_row(const std::string& name, const EngineRow& row) {
+  benchmark::RegisterBenchmark(name.c_str(), [row](benchmark::State& state) { run_row(state, row); })
+      ->UseManualTime()
+      ->Unit(benchmark::kMicrosecond);
+}
+
+}  // namespace cellsweep::bench

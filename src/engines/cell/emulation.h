@@ -1,0 +1,57 @@
+/// @file
+/// What the SDK has no name for: how SPEs are emulated and what they did. The engine table injects it, so
+/// that the host side knows libspe2 only.
+#pragma once
+
+#include <libspe2.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "cellsweep/engines.h"
+
+namespace cellsweep::cell {
+
+/// What one SPE did since its context was made.
+struct SpeCounts {
+  std::uint64_t gets = 0;
+  std::uint64_t puts = 0;
+  std::uint64_t bytes_in = 0;
+  std::uint64_t bytes_out = 0;
+  std::uint64_t list_elements = 0;
+  std::uint64_t local_store_high_water = 0;  ///< bytes in use at most
+
+  SpeCounts& operator+=(const SpeCounts& more);
+};
+
+/// How the bytes of a local store (C14) are given out before a program asks for any.
+struct LocalStoreBudget {
+  std::uint64_t limit = 0;  ///< 0: no limit
+  std::uint64_t code = 0;   ///< what code and constants are taken to occupy
+  std::uint64_t data = 0;   ///< what variables of the program and of its C library are taken to occupy
+  std::uint64_t stack = 0;  ///< what the stack is taken to occupy
+};
+
+/// One engine's way to its SPEs. Used by the thread that uses the engine; fault() of a context only while it does
+/// not run. counts() of one that runs are of about now.
+class Emulation {
+ public:
+  virtual ~Emulation() = default;
+
+  virtual LocalStoreBudget local_store() const = 0;
+
+  /// spe_context_create() with this engine's settings; null with errno as there.
+  virtual spe_context_ptr_t create_context(unsigned flags) = 0;
+
+  virtual SpeCounts counts(spe_context_ptr_t spe) const = 0;
+
+  /// The rule that the context's last failing call broke, in words; empty when there was none.
+  virtual std::string fault(spe_context_ptr_t spe) const = 0;
+};
+
+/// SPEs by spu_emu, as the options say. Errors: bad_option for a local store that is no multiple of 128 or
+/// too small for code and stack, and for a trace file that cannot be written.
+Result<std::shared_ptr<Emulation>> make_spu_emu_emulation(const EngineOptions& options);
+
+}  // namespace cellsweep::cell

@@ -1,0 +1,144 @@
+#include "engines/cell/ppu/resident_spes.h"
+
+#include <algorithm>
+
+#include "broadphase/text.h"
+
+extern "C" spe_program_handle_t cell_resident_spu;
+
+namespace cellsweep::cell {
+namespace {
+
+constexpr unsigned kAxes = 3;
+constexpr std::uint32_t kMostChanges = 1024;
+constexpr std::uint32_t kFewestChanges = 16;
+
+/// How long to sleep, in milliseconds, before looking whether an SPE that does not answer has failed.
+constexpr int kLookAfter = 20;
+
+/// No SPU can send more events for one order: each of its changed bodies with each body.
+std::size_t most_events(std::uint64_t bodies, std::uint32_t changes, unsigned spus) {
+  const std::size_t words = (changes + spus - 1) / spus * static_cast<std::size_t>(bodies);
+  return (words + kResidentEventChunk - 1) / kResidentEventChunk * kResidentEventChunk;
+}
+
+// Why there is no answer of an SPE whose program has ended.
+Status lost_status(unsigned index, Status why) {
+  if (!why.ok()) return why;
+  return {
+      StatusCode::spe_failed, text("SPE ", index, " ended without an answer."), std::nullopt, index, 0, ""};
+}
+
+}  // namespace
+
+std::uint32_t resident_changes(std::uint64_t bodies) {
+  std::uint32_t changes = kFewestChanges;
+  while (changes < kMostChanges && 2 * changes <= bodies) changes *= 2;
+  return changes;
+}
+
+Result<std::unique_ptr<ResidentSpes>> ResidentSpes::start(unsigned spus, std::uint64_t bodies,
+                                                          std::shared_ptr<Emulation> emulation) {
+  auto group = SpeGroup::make(spus, cell_resident_spu, std::move(emulation));
+  if (!group) return group.status();
+  std::unique_ptr<ResidentSpes> spes(new ResidentSpes(std::move(*group), bodies));
+  if (Status status = spes->listen(); !status.ok()) return status;
+  if (Status status = spes->run(); !status.ok()) return status;
+  return spes;
+}
+
+// The events' memory is not touched here: the system gives it when, and as far as, there are events.
+ResidentSpes::ResidentSpes(std::unique_ptr<SpeGroup> group, std::uint64_t bodies)
+    : group_(std::move(group)),
+      events_(spe_event_handler_create()),
+      records_(resident_changes(bodies)),
+      jobs_(size()),
+      answers_(size()),
+      answered_(size(), false) {
+  const auto changes = static_cast<std::uint32_t>(records_.size());
+  const std::size_t words = most_events(bodies, changes, size());
+  for (unsigned i = 0; i < size(); ++i) {
+    void* memory = ::operator new (words * sizeof(std::uint32_t), std::align_val_t{kDmaAlign});
+    buffers_.emplace_back(static_cast<std::uint32_t*>(memory));
+    jobs_[i] = {i,
+                size(),
+                i % kAxes,
+                round_up(static_cast<std::uint32_t>(bodies), 16),
+                changes,
+                wire_address(records_.data()),
+                wire_address(memory),
+                {}};
+  }
+}
+
+ResidentSpes::~ResidentSpes() {
+  static_cast<void>(stop());
+}
+
+Status ResidentSpes::listen() {
+  for (unsigned i = 0; i < size(); ++i) {
+    spe_event_unit_t unit{};
+    unit.events = SPE_EVENT_OUT_INTR_MBOX;
+    unit.spe = group_->context(i);
+    if (spe_event_handler_register(events_.get(), &unit) != 0) {
+      return {StatusCode::spe_failed, text("No event can be had of SPE ", i, "."), std::nullopt, i, 0, ""};
+    }
+  }
+  return {};
+}
+
+Status ResidentSpes::run() {
+  std::vector<void*> jobs;
+  for (ResidentJob& job : jobs_) jobs.push_back(&job);
+  group_->start(jobs);
+  starts_ += size();
+  return wait_for_answers();
+}
+
+Status ResidentSpes::obey(ResidentOrder order, std::uint32_t records) {
+  unsigned word = resident_word(order, records);
+  std::fill(answered_.begin(), answered_.end(), false);
+  for (unsigned i = 0; i < size(); ++i) {
+    // A mailbox is empty here: its SPU has answered the order before.
+    spe_in_mbox_write(group_->context(i), &word, 1, SPE_MBOX_ANY_NONBLOCKING);
+    ++mailbox_words_;
+  }
+  return wait_for_answers();
+}
+
+Status ResidentSpes::wait_for_answers() {
+  std::vector<spe_event_unit_t> units(size());
+  while (!take_answers()) {
+    spe_event_wait(events_.get(), units.data(), static_cast<int>(units.size()), kLookAfter);
+    for (unsigned i = 0; i < size(); ++i) {
+      const bool lost = !answered_[i] && !group_->running(i) &&  //
+                        spe_out_intr_mbox_status(group_->context(i)) == 0;
+      if (lost) return lost_status(i, stop());
+    }
+  }
+  return {};
+}
+
+// True when there is nothing left to wait for.
+bool ResidentSpes::take_answers() {
+  bool all = true;
+  for (unsigned i = 0; i < size(); ++i) {
+    if (answered_[i]) continue;
+    spe_context_ptr_t context = group_->context(i);
+    answered_[i] = spe_out_intr_mbox_status(context) > 0 &&
+                   spe_out_intr_mbox_read(context, &answers_[i], 1, SPE_MBOX_ANY_NONBLOCKING) == 1;
+    all = all && answered_[i];
+  }
+  return all;
+}
+
+// An order that was being obeyed is finished first. Returns why an SPE had failed, if one had.
+Status ResidentSpes::stop() {
+  unsigned word = resident_word(ResidentOrder::stop, 0);
+  for (unsigned i = 0; i < size(); ++i) {
+    if (group_->running(i)) spe_in_mbox_write(group_->context(i), &word, 1, SPE_MBOX_ANY_NONBLOCKING);
+  }
+  return group_->join();
+}
+
+}  // namespace cellsweep::cell

@@ -1,0 +1,76 @@
+/// @file
+/// The SPEs of cell-resident: started once, told by mailbox, ended when this object goes.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "cellsweep/aabb.h"
+#include "cellsweep/status.h"
+#include "engines/cell/ppu/dma_memory.h"
+#include "engines/cell/ppu/spe_group.h"
+#include "engines/cell/resident_wire.h"
+
+namespace cellsweep::cell {
+
+/// How many records an order may have on SPUs with room for so many bodies: a power of two.
+std::uint32_t resident_changes(std::uint64_t bodies);
+
+/// Programs that run from construction to destruction. One thread.
+class ResidentSpes {
+ public:
+  /// Starts `spus` programs, each with room for `bodies`, and waits until they are ready. Errors: spe_failed.
+  static Result<std::unique_ptr<ResidentSpes>> start(unsigned spus, std::uint64_t bodies,
+                                                     std::shared_ptr<Emulation> emulation);
+  ~ResidentSpes();
+  ResidentSpes(const ResidentSpes&) = delete;
+  ResidentSpes& operator=(const ResidentSpes&) = delete;
+
+  unsigned size() const { return group_->size(); }
+
+  /// The records of the next order; as many as one may have.
+  std::span<ResidentRecord> records() { return records_; }
+
+  /// Has all SPUs obey and waits for their answers. Errors: spe_failed; the programs have ended then.
+  Status obey(ResidentOrder order, std::uint32_t records);
+
+  /// What SPU `index` answered to the last order. Valid until the next one.
+  std::span<const std::uint32_t> events(unsigned index) const {
+    return std::span(buffers_[index].get(), answers_[index]);
+  }
+
+  /// Mailbox words written to SPUs so far.
+  std::uint64_t mailbox_words() const { return mailbox_words_; }
+  std::uint64_t starts() const { return starts_; }
+
+  /// What the SPEs did since they were started.
+  SpeCounts counts() const { return group_->counts(); }
+
+ private:
+  struct Release {
+    void operator()(std::uint32_t* memory) const { ::operator delete (memory, std::align_val_t{kDmaAlign}); }
+  };
+  struct ReleaseHandler {
+    void operator()(void* handler) const { spe_event_handler_destroy(handler); }
+  };
+
+  ResidentSpes(std::unique_ptr<SpeGroup> group, std::uint64_t bodies);
+  Status listen();
+  Status run();
+  bool take_answers();
+  Status wait_for_answers();
+  Status stop();
+
+  std::unique_ptr<SpeGroup> group_;
+  std::unique_ptr<void, ReleaseHandler> events_;  // tells when an answer has come
+  DmaVector<ResidentRecord> records_;
+  std::vector<std::unique_ptr<std::uint32_t[], Release>> buffers_;  // by SPU: events
+  DmaVector<ResidentJob> jobs_;
+  std::vector<std::uint32_t> answers_;
+  std::vector<bool> answered_;
+  std::uint64_t mailbox_words_ = 0;
+  std::uint64_t starts_ = 0;
+};
+
+}  // namespace cellsweep::cell

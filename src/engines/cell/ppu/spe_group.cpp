@@ -1,0 +1,120 @@
+#include "engines/cell/ppu/spe_group.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+
+#include "broadphase/text.h"
+
+namespace cellsweep::cell {
+namespace {
+
+double thread_cpu_milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
+}
+
+Status failed(unsigned index, const std::string& why) {
+  return {StatusCode::spe_failed, text("SPE ", index, " failed: ", why), std::nullopt, index, 0, ""};
+}
+
+std::string words_of_stop(const spe_stop_info_t& stop) {
+  if (stop.stop_reason == SPE_EXIT)
+    return text("its program ended with code ", stop.result.spe_exit_code, ".");
+  return text("it stopped for reason ", stop.stop_reason, ", ", stop.result.spe_runtime_error, ".");
+}
+
+}  // namespace
+
+SpeGroup::SpeGroup(spe_program_handle_t& program, std::shared_ptr<Emulation> emulation)
+    : program_(program), emulation_(std::move(emulation)) {}
+
+Result<std::unique_ptr<SpeGroup>> SpeGroup::make(unsigned count, spe_program_handle_t& program,
+                                                 std::shared_ptr<Emulation> emulation) {
+  std::unique_ptr<SpeGroup> group(new SpeGroup(program, std::move(emulation)));
+  while (group->size() < count) {
+    if (Status status = group->add_spe(); !status.ok()) return status;
+  }
+  return group;
+}
+
+SpeGroup::~SpeGroup() {
+  for (const auto& spe : spes_) {
+    if (spe->thread.joinable()) spe->thread.join();
+    if (spe->context != nullptr) spe_context_destroy(spe->context);
+  }
+}
+
+Status SpeGroup::add_spe() {
+  const unsigned index = size();
+  spes_.push_back(std::make_unique<Spe>());
+  spes_.back()->context = emulation_->create_context(SPE_EVENTS_ENABLE | SPE_MAP_PS);
+  if (spes_.back()->context == nullptr) return failed(index, std::strerror(errno));
+  return load(index);
+}
+
+Status SpeGroup::load(unsigned index) {
+  Spe& spe = *spes_[index];
+  if (spe_program_load(spe.context, &program_) == 0) return {};
+  const std::string why = emulation_->fault(spe.context);
+  return failed(index, why.empty() ? std::strerror(errno) : why);
+}
+
+Status SpeGroup::run(std::span<void* const> jobs) {
+  start(jobs);
+  return join();
+}
+
+void SpeGroup::start(std::span<void* const> jobs) {
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    Spe& spe = *spes_[i];
+    spe.running.store(true, std::memory_order_release);
+    spe.thread = std::thread([this, &spe, job = jobs[i]] { run_program(spe, job); });
+  }
+}
+
+// On the SPE's thread.
+void SpeGroup::run_program(Spe& spe, void* job) const {
+  const double before = thread_cpu_milliseconds();
+  unsigned entry = SPE_DEFAULT_ENTRY;
+  spe_stop_info_t stop{};
+  const int result = spe_context_run(spe.context, &entry, 0, job, nullptr, &stop);
+  const bool good = result == 0 && stop.stop_reason == SPE_EXIT && stop.result.spe_exit_code == 0;
+  spe.fault.clear();
+  if (!good) spe.fault = result < 0 ? emulation_->fault(spe.context) : words_of_stop(stop);
+  if (!good && spe.fault.empty()) spe.fault = words_of_stop(stop);
+  // The context queues a stop info for every run; nobody else reads them.
+  while (spe_stop_info_read(spe.context, &stop) == 0) continue;
+  spe.cpu_milliseconds = thread_cpu_milliseconds() - before;
+  spe.running.store(false, std::memory_order_release);
+}
+
+Status SpeGroup::join() {
+  Status first;
+  for (unsigned i = 0; i < size(); ++i) {
+    Spe& spe = *spes_[i];
+    if (!spe.thread.joinable()) continue;
+    spe.thread.join();
+    if (!spe.fault.empty() && first.ok()) first = failed(i, spe.fault);
+  }
+  for (unsigned i = 0; i < size() && !first.ok(); ++i) {
+    if (Status status = load(i); !status.ok()) return status;
+  }
+  return first;
+}
+
+double SpeGroup::longest_cpu_milliseconds() const {
+  double longest = 0;
+  for (const auto& spe : spes_) longest = std::max(longest, spe->cpu_milliseconds);
+  return longest;
+}
+
+SpeCounts SpeGroup::counts() const {
+  SpeCounts sum;
+  for (const auto& spe : spes_) sum += emulation_->counts(spe->context);
+  return sum;
+}
+
+}  // namespace cellsweep::cell

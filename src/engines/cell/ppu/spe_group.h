@@ -1,0 +1,78 @@
+/// @file
+/// Some SPEs with one program: made together, run together, each on a thread of its own.
+#pragma once
+
+#include <libspe2.h>
+
+#include <atomic>
+#include <memory>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cellsweep/status.h"
+#include "engines/cell/emulation.h"
+
+namespace cellsweep::cell {
+
+/// Contexts with a loaded program. Two ways to use it: run() starts all programs and waits for their ends,
+/// frame by frame (C1); start() leaves them running, to be talked to by mailbox until join(). One thread uses
+/// a group.
+class SpeGroup {
+ public:
+  /// `count` SPEs with `program` in each. Errors: spe_failed, with the reason.
+  static Result<std::unique_ptr<SpeGroup>> make(unsigned count, spe_program_handle_t& program,
+                                                std::shared_ptr<Emulation> emulation);
+
+  /// Programs that run must have been told to end: this waits for them.
+  ~SpeGroup();
+  SpeGroup(const SpeGroup&) = delete;
+  SpeGroup& operator=(const SpeGroup&) = delete;
+
+  unsigned size() const { return static_cast<unsigned>(spes_.size()); }
+  spe_context_ptr_t context(unsigned index) const { return spes_[index]->context; }
+
+  /// C1: starts a thread for each SPE that runs its program from the beginning with jobs[i] as its argument,
+  /// and waits for all. jobs.size() SPEs run, the first ones. Errors: spe_failed with the rule an SPE broke;
+  /// after that all programs are loaded anew, and the next run starts from nothing.
+  Status run(std::span<void* const> jobs);
+
+  /// The first half of run(): returns at once.
+  void start(std::span<void* const> jobs);
+
+  /// The second half: waits until all programs have ended. Errors as run().
+  Status join();
+
+  /// True from start() until the program ended by itself, by a fault, or by exit. Safe to poll.
+  bool running(unsigned index) const { return spes_[index]->running.load(std::memory_order_acquire); }
+
+  /// CPU time of the SPE's last finished run, in milliseconds: the program without the start of its thread.
+  double cpu_milliseconds(unsigned index) const { return spes_[index]->cpu_milliseconds; }
+
+  /// The largest of cpu_milliseconds().
+  double longest_cpu_milliseconds() const;
+
+  /// What all SPEs did, added up; of those that run, about now.
+  SpeCounts counts() const;
+
+ private:
+  struct Spe {
+    spe_context_ptr_t context = nullptr;
+    std::thread thread;
+    std::atomic<bool> running = false;
+    double cpu_milliseconds = 0;
+    std::string fault{};
+  };
+
+  SpeGroup(spe_program_handle_t& program, std::shared_ptr<Emulation> emulation);
+  Status add_spe();
+  Status load(unsigned index);
+  void run_program(Spe& spe, void* job) const;
+
+  spe_program_handle_t& program_;
+  std::shared_ptr<Emulation> emulation_;
+  std::vector<std::unique_ptr<Spe>> spes_;
+};
+
+}  // namespace cellsweep::cell

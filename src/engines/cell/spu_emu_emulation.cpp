@@ -1,0 +1,138 @@
+#include <spu_emu/emulation.h>
+
+#include <fstream>
+#include <map>
+#include <mutex>
+
+#include "broadphase/text.h"
+#include "engines/cell/emulation.h"
+
+namespace cellsweep::cell {
+namespace {
+
+/// Variables of a program and of what the compiler links to it; sanitizers make them larger.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#elif defined(__has_feature)
+constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool kSanitized = false;
+#endif
+constexpr std::uint64_t kDataBytes = 4096;
+constexpr std::uint64_t kSanitizerBytes = kSanitized ? 64 * 1024 : 0;
+constexpr std::uint64_t kLargestLocalStore = std::uint64_t{1} << 30;
+constexpr std::uint64_t kLine = 128;
+
+/// A timeline file, written when the last engine that named it goes: spu_emu keeps one timeline for all.
+class TraceFile {
+ public:
+  explicit TraceFile(const std::string& path) : out_(path, std::ios::trunc) {}
+  ~TraceFile() { spu_emu::write_trace(out_); }
+  TraceFile(const TraceFile&) = delete;
+  TraceFile& operator=(const TraceFile&) = delete;
+
+  bool good() const { return out_.good(); }
+
+ private:
+  std::ofstream out_;
+};
+
+std::shared_ptr<TraceFile> open_trace(const std::string& path) {
+  static std::mutex mutex;
+  static std::map<std::string, std::weak_ptr<TraceFile>> files;
+  const std::lock_guard lock(mutex);
+  std::weak_ptr<TraceFile>& known = files[path];
+  std::shared_ptr<TraceFile> file = known.lock();
+  if (!file) known = file = std::make_shared<TraceFile>(path);
+  return file;
+}
+
+spu_emu::DmaMode mode_of(DmaMode mode) {
+  switch (mode) {
+    case DmaMode::late:
+      return spu_emu::DmaMode::late;
+    case DmaMode::unchecked:
+      return spu_emu::DmaMode::unchecked;
+    default:
+      return spu_emu::DmaMode::eager;
+  }
+}
+
+class SpuEmuEmulation final : public Emulation {
+ public:
+  SpuEmuEmulation(const EngineOptions& options, std::shared_ptr<TraceFile> trace)
+      : limit_(options.local_store_bytes), trace_(std::move(trace)) {
+    settings_.dma_mode = mode_of(options.dma);
+    settings_.seed = options.dma_seed;
+    settings_.local_store_limit = static_cast<std::uint32_t>(limit_ == 0 ? 0 : limit_ + kSanitizerBytes);
+    settings_.trace = trace_ != nullptr;
+  }
+
+  LocalStoreBudget local_store() const override {
+    return {limit_, settings_.code_reserve, kDataBytes, settings_.stack_reserve};
+  }
+
+  spe_context_ptr_t create_context(unsigned flags) override {
+    const spu_emu::SettingsScope scope(settings_);
+    ++settings_.seed;  // each SPE's transfers land in an order of their own
+    return spe_context_create(flags, nullptr);
+  }
+
+  SpeCounts counts(spe_context_ptr_t spe) const override {
+    const spu_emu::SpeStatistics all = spu_emu::statistics(spe);
+    return {all.gets, all.puts, all.bytes_in, all.bytes_out, all.list_elements, all.local_store_high_water};
+  }
+
+  std::string fault(spe_context_ptr_t spe) const override { return spu_emu::last_fault(spe); }
+
+ private:
+  std::uint64_t limit_;
+  spu_emu::EmulationSettings settings_;
+  std::shared_ptr<TraceFile> trace_;
+};
+
+Status check_local_store(const EngineOptions& options) {
+  const spu_emu::EmulationSettings defaults;
+  const std::uint64_t bytes = options.local_store_bytes;
+  const std::uint64_t least = defaults.code_reserve + kDataBytes + defaults.stack_reserve;
+  if (bytes == 0 || (bytes >= least && bytes <= kLargestLocalStore && bytes % kLine == 0)) return {};
+  return {StatusCode::bad_option,
+          text("local_store_bytes is ", bytes, "; it must be a multiple of ", kLine, " from ", least,
+               " (code, data and stack) to ", kLargestLocalStore, ", or 0 for no limit."),
+          std::nullopt,
+          bytes,
+          least,
+          "local_store_bytes"};
+}
+
+}  // namespace
+
+SpeCounts& SpeCounts::operator+=(const SpeCounts& more) {
+  gets += more.gets;
+  puts += more.puts;
+  bytes_in += more.bytes_in;
+  bytes_out += more.bytes_out;
+  list_elements += more.list_elements;
+  local_store_high_water = local_store_high_water > more.local_store_high_water ? local_store_high_water
+                                                                                : more.local_store_high_water;
+  return *this;
+}
+
+Result<std::shared_ptr<Emulation>> make_spu_emu_emulation(const EngineOptions& options) {
+  if (Status status = check_local_store(options); !status.ok()) return status;
+  std::shared_ptr<TraceFile> trace;
+  if (!options.trace_file.empty()) {
+    trace = open_trace(options.trace_file);
+    if (!trace->good()) {
+      return Status{StatusCode::bad_option,
+                    text("The trace file \"", options.trace_file, "\" cannot be written."),
+                    std::nullopt,
+                    0,
+                    0,
+                    "trace_file"};
+    }
+  }
+  return std::shared_ptr<Emulation>(std::make_shared<SpuEmuEmulation>(options, std::move(trace)));
+}
+
+}  // namespace cellsweep::cell

@@ -1,0 +1,71 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command_line.h"
+
+namespace cellsweep::app {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+Json map_of(const std::string& flags) {
+  return Json::parse(run_command("local-store --engine cell-paper --json " + flags).output)["maps"][0];
+}
+
+TEST(CellCommand, PrintsTheMapOfALocalStore) {
+  const CommandResult result = run_command("local-store --engine cell-paper --bodies 1024");
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  for (const char* part : {"code", "stack", "values", "keys", "together", "limit", "free"}) {
+    EXPECT_THAT(result.output, HasSubstr(part));
+  }
+}
+
+TEST(CellCommand, ExitsWith3WhenTheBodiesDoNotFit) {
+  const CommandResult result = run_command("local-store --engine cell-paper --bodies 100000");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.output, HasSubstr("too many"));
+  EXPECT_EQ(run_command("local-store --engine cell-paper --bodies 100000 --local-store off").exit_code, 0);
+}
+
+TEST(CellCommand, TheMapFollowsTheSettings) {
+  EXPECT_EQ(map_of("")["limit_bytes"], 262144);
+  EXPECT_EQ(map_of("--local-store 128K")["limit_bytes"], 131072);
+  EXPECT_EQ(map_of("--local-store off")["limit_bytes"], 0);
+  EXPECT_GT(map_of("--method 2")["used_bytes"], map_of("--method 1")["used_bytes"]);
+  EXPECT_GT(map_of("--list-dma")["used_bytes"], map_of("")["used_bytes"]);
+}
+
+TEST(CellCommand, RefusesAnEngineWithoutALocalStore) {
+  const CommandResult result = run_command("local-store --engine control");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("no local store"));
+}
+
+TEST(CellCommand, RunsWithEverySetting) {
+  for (const std::string flags : {"--method 2", "--list-dma", "--dma late --dma-seed 9", "--dma unchecked",
+                                  "--local-store off", "--spus 2"}) {
+    const CommandResult result =
+        run_command("verify --engine cell-paper,cell-brute --bodies 100 --frames 5 " + flags);
+    EXPECT_EQ(result.exit_code, 0) << flags << result.output << result.errors;
+  }
+}
+
+TEST(CellCommand, RefusesSettingsThatAreNotThere) {
+  for (const std::string flags : {"--method 3", "--dma sometimes", "--local-store 5", "--local-store on"}) {
+    EXPECT_EQ(run_command("verify --engine cell-paper --bodies 10 --frames 1 " + flags).exit_code, 2)
+        << flags;
+  }
+}
+
+TEST(CellCommand, LiteralDiffersFromTheOracleAndSaysByHowMuch) {
+  const CommandResult result = run_command(
+      "verify --engine cell-paper --literal --scene varied --bodies 150 --moving 0.5 --frames 20");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.output, HasSubstr("differs"));
+}
+
+}  // namespace
+}  // namespace cellsweep::app
