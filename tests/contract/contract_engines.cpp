@@ -21,10 +21,13 @@ std::string label_of(std::string_view name) {
 EngineOptions small_local_store(const std::string& name, EngineOptions options) {
   constexpr std::uint64_t kStep = 4096;
   constexpr std::uint64_t kBodies = 16;
-  for (options.local_store_bytes = kStep;; options.local_store_bytes += kStep) {
+  constexpr std::uint64_t kLargest = std::uint64_t{1} << 20;
+  for (options.local_store_bytes = kStep; options.local_store_bytes < kLargest;
+       options.local_store_bytes += kStep) {
     const auto engine = make_engine(name, options);
     if (engine.ok() && (*engine)->capacity().bodies >= kBodies) return options;
   }
+  throw std::runtime_error(name + " does not hold the bodies of the fixed scenes in any local store");
 }
 
 /// Transfers that land late, in the orders of several seeds, and every way of the Cell engines' results home.

@@ -77,5 +77,24 @@ TEST(PairManager, CostsTheStatedBytesAnEntry) {
 #endif
 #endif
 
+TEST(PairManagerCursor, FindsEveryAscendingChoiceOfPairs) {
+  PairManager pairs;
+  for (int larger = 1; larger < 12; ++larger) {
+    for (int smaller = 0; smaller < larger; ++smaller) pairs.add(smaller, larger);
+  }
+  for (int stride = 1; stride < 70; ++stride) {
+    PairManager::Cursor cursor(pairs);
+    int number = 0;
+    for (int larger = 1; larger < 12; ++larger) {
+      for (int smaller = 0; smaller < larger; ++smaller) {
+        if (number++ % stride != 0) continue;
+        const PairInfo& found = cursor.find(pair_hash(smaller, larger));
+        ASSERT_EQ(found.aID, smaller);
+        ASSERT_EQ(found.bID, larger);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cellsweep::control
