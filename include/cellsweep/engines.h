@@ -21,8 +21,8 @@ enum class DmaMode {
 
 /// Settings of all engines; an engine reads those that it names and ignores the others.
 struct EngineOptions {
-  /// Worker threads; 0 lets the engine choose. Read by no engine yet that has only one thread: `control` is
-  /// single-threaded, as in the document.
+  /// Worker threads of engines that have them; 0 lets the engine choose. `control` has one thread, as in the
+  /// document, and the Cell engines have SPUs instead.
   unsigned threads = 0;
 
   /// control: run listing 4.5 to the letter: an overlap test that misses a box inside another, and an order

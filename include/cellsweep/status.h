@@ -26,10 +26,10 @@ enum class StatusCode {
 /// The outcome of a call. When it is not ok, the call changed nothing.
 struct [[nodiscard]] Status {
   StatusCode code = StatusCode::ok;
-  std::string message{};         ///< a whole sentence for a person: what, which number, which limit, what to change
+  std::string message{};  ///< a whole sentence for a person: what, which number, which limit, what to change
   std::optional<BodyId> body{};  ///< the body at fault, when one is
-  std::uint64_t number = 0;    ///< for `capacity`: what was asked for
-  std::uint64_t limit = 0;     ///< for `capacity`: what is allowed
+  std::uint64_t number = 0;      ///< for `capacity`: what was asked for
+  std::uint64_t limit = 0;       ///< for `capacity`: what is allowed
   std::string setting{};         ///< for `capacity`: the option to raise; empty when nothing can be raised
 
   bool ok() const { return code == StatusCode::ok; }

@@ -9,13 +9,21 @@ namespace cellsweep::app {
 enum ExitCode : int {
   kGood = 0,
   kResultsDiffer = 1,
-  kBadUsage = 2,  ///< bad arguments or bad input
-  kCapacity = 3,  ///< more than an engine holds
+  kBadUsage = 2,   ///< bad arguments or bad input
+  kCapacity = 3,   ///< more than an engine holds
+  kSpeFailed = 4,  ///< an SPE broke a rule of the hardware, or could not be started
 };
 
 /// The exit code for a status that is not ok.
 inline ExitCode exit_code_of(const Status& status) {
-  return status.code == StatusCode::capacity ? kCapacity : kBadUsage;
+  switch (status.code) {
+    case StatusCode::capacity:
+      return kCapacity;
+    case StatusCode::spe_failed:
+      return kSpeFailed;
+    default:
+      return kBadUsage;
+  }
 }
 
 }  // namespace cellsweep::app

@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
       "  cellsweep replay bench/scenes/bullet-pile-1024.aabbs --json\n"
       "  cellsweep verify --scene varied --bodies 500 --moving 1\n"
       "Exit codes: 0 good, 1 results differ from the oracle, 2 bad usage or input, 3 over an engine's "
-      "capacity.");
+      "capacity, 4 an SPE failed.");
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -65,7 +65,7 @@ TEST(Command, GivesTheSameHashesForTheSameSeedAndOthersForAnother) {
 }
 
 TEST(Command, PrintsTablesForAPerson) {
-  const CommandResult result = run_command("simulate --bodies 64 --frames 2");
+  const CommandResult result = run_command("simulate --bodies 64 --frames 2 --engine control");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.output, HasSubstr("engine"));
   EXPECT_THAT(result.output, HasSubstr("control"));

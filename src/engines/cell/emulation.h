@@ -33,8 +33,8 @@ struct LocalStoreBudget {
   std::uint64_t stack = 0;  ///< what the stack is taken to occupy
 };
 
-/// One engine's way to its SPEs. Used by the thread that uses the engine; fault() of a context only while it does
-/// not run. counts() of one that runs are of about now.
+/// One engine's way to its SPEs. Used by the thread that uses the engine; fault() of a context only while it
+/// does not run. counts() of one that runs are of about now.
 class Emulation {
  public:
   virtual ~Emulation() = default;
