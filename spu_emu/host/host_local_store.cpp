@@ -19,7 +19,10 @@ std::uint64_t congruent(std::uint64_t ls, const std::byte* host) {
 }  // namespace
 
 HostLocalStore::HostLocalStore(std::uint32_t limit, std::uint32_t code_reserve, std::uint32_t stack_reserve)
-    : arena_(limit == 0 ? kUnlimited : limit), code_reserve_(code_reserve), stack_reserve_(stack_reserve) {
+    : LocalStoreView(WordOrder::same),
+      arena_(limit == 0 ? kUnlimited : limit),
+      code_reserve_(code_reserve),
+      stack_reserve_(stack_reserve) {
   clear();
 }
 
@@ -28,6 +31,7 @@ void HostLocalStore::clear() {
   data_bytes_ = 0;
   placed_ = false;
   heap_.reset(code_reserve_, stack_begin());
+  set_block(arena_.base(), 0, size());
 }
 
 bool HostLocalStore::place(const std::vector<ModuleSegment>& segments) {
@@ -47,6 +51,7 @@ bool HostLocalStore::place(const std::vector<ModuleSegment>& segments) {
   }
   data_bytes_ = static_cast<std::uint32_t>(data) - code_reserve_;
   heap_.reset(static_cast<std::uint32_t>(data), stack_begin());
+  set_block(arena_.base(), heap_.first(), heap_.last());
   placed_ = true;
   return true;
 }
@@ -58,10 +63,9 @@ const HostLocalStore::Window* HostLocalStore::window_of(std::uint32_t ls) const 
   return nullptr;
 }
 
-std::byte* HostLocalStore::at(std::uint32_t ls, std::uint32_t bytes) noexcept {
+std::byte* HostLocalStore::at_elsewhere(std::uint32_t ls, std::uint32_t bytes) noexcept {
+  if (!placed_) return nullptr;
   const std::uint64_t end = std::uint64_t{ls} + bytes;
-  if (!placed_) return end <= size() ? arena_.base() + ls : nullptr;
-  if (ls >= heap_.first() && end <= heap_.last()) return arena_.base() + ls;
   if (ls >= stack_begin()) return end <= size() ? arena_.stack_top() - (size() - ls) : nullptr;
   if (const Window* window = window_of(ls)) {
     const std::uint32_t offset = ls - window->ls;
@@ -81,8 +85,7 @@ std::string HostLocalStore::why_not(std::uint32_t ls, std::uint32_t bytes) const
 std::optional<std::uint32_t> HostLocalStore::address_of(const volatile void* pointer) const {
   const std::uintptr_t number = number_of(pointer);
   if (number >> 32U == 0) return address_of_number(static_cast<std::uint32_t>(number));
-  const std::uintptr_t base = number_of(arena_.base());
-  if (number - base < size()) return static_cast<std::uint32_t>(number - base);
+  if (in_arena(pointer)) return ls_of_arena(pointer);
   const std::uintptr_t below_top = number_of(arena_.stack_top()) - number;
   if (below_top != 0 && below_top <= stack_reserve_) return size() - static_cast<std::uint32_t>(below_top);
   for (const Window& window : windows_) {
@@ -106,14 +109,6 @@ std::uint32_t HostLocalStore::address_of_number(std::uint32_t number) const {
 bool HostLocalStore::below_stack_reserve(const volatile void* pointer) const {
   const std::uintptr_t number = number_of(pointer);
   return number - number_of(arena_.stack()) < Arena::kStackSize - stack_reserve_;
-}
-
-bool HostLocalStore::in_arena(const void* pointer) const {
-  return number_of(pointer) - number_of(arena_.base()) < size();
-}
-
-std::uint32_t HostLocalStore::ls_of_arena(const void* pointer) const {
-  return static_cast<std::uint32_t>(number_of(pointer));
 }
 
 std::string HostLocalStore::map() const {

@@ -32,9 +32,7 @@ class HostLocalStore final : public LocalStoreView {
   /// Back to an empty store without windows; LS addresses are then arena addresses throughout.
   void clear();
 
-  std::byte* at(std::uint32_t ls, std::uint32_t size) noexcept override;
   std::string why_not(std::uint32_t ls, std::uint32_t size) const override;
-  WordOrder word_order() const noexcept override { return WordOrder::same; }
 
   /// LS address of a program's pointer, or of a number that is an LS address or the low half of such a
   /// pointer; nothing when it is no part of the local store.
@@ -45,8 +43,13 @@ class HostLocalStore final : public LocalStoreView {
 
   Arena& arena() { return arena_; }
   Heap& heap() { return heap_; }
-  bool in_arena(const void* pointer) const;
-  std::uint32_t ls_of_arena(const void* pointer) const;
+  bool in_arena(const volatile void* pointer) const {
+    return reinterpret_cast<std::uintptr_t>(pointer) - reinterpret_cast<std::uintptr_t>(arena_.base()) <
+           size();
+  }
+  std::uint32_t ls_of_arena(const volatile void* pointer) const {
+    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(pointer));
+  }
   /// Bytes in use at most: reserves, data and the heap's high water.
   std::uint32_t high_water() const { return fixed_bytes() + heap_.high_water(); }
   /// Several lines: every part with its LS addresses and sizes.
@@ -58,6 +61,7 @@ class HostLocalStore final : public LocalStoreView {
     ModuleSegment segment;
   };
 
+  std::byte* at_elsewhere(std::uint32_t ls, std::uint32_t size) noexcept override;
   std::uint32_t size() const { return arena_.local_store_size(); }
   std::uint32_t stack_begin() const { return size() - stack_reserve_; }
   std::uint32_t fixed_bytes() const { return code_reserve_ + data_bytes_ + stack_reserve_; }

@@ -42,9 +42,9 @@ bool uses_local_store(std::uint32_t opcode) {
 }
 
 void dma(void* spe, const volatile void* ls, unsigned long long ea, unsigned int size, unsigned int tag,
-         unsigned int command_word, SourceLine where) {
+         unsigned int command_word, const char* file, int line) {
   guarded(spe, [&](Spe& self) {
-    Command command{command_word & 0xffU, tag, size, 0, ea, where};
+    Command command{command_word & 0xffU, tag, size, 0, ea, {file, line}};
     if (uses_local_store(command.opcode)) command.ls = self.ls_of(ls, command);
     if (is_list(command.opcode)) {
       command.ea = (ea & ~0xffffffffULL) | self.store().address_of_number(static_cast<std::uint32_t>(ea));

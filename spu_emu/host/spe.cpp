@@ -157,7 +157,7 @@ void Spe::stop_for_fault() {
   stop_for_good({Stop::Kind::fault, 0, 0, fault_report_});
 }
 
-std::uint32_t Spe::ls_of(const volatile void* pointer, const Command& command) {
+std::uint32_t Spe::ls_outside_arena(const volatile void* pointer, const Command& command) {
   if (const auto ls = store_.address_of(pointer)) return *ls;
   const auto address = reinterpret_cast<std::uintptr_t>(pointer);
   if (store_.below_stack_reserve(pointer)) {

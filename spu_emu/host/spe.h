@@ -78,7 +78,10 @@ class Spe {
   /// Ends the program for the fault noted.
   [[noreturn]] void stop_for_fault();
   /// The LS address of a program's pointer. Throws Fault if it is none.
-  std::uint32_t ls_of(const volatile void* pointer, const Command& command);
+  std::uint32_t ls_of(const volatile void* pointer, const Command& command) {
+    if (store_.in_arena(pointer)) return store_.ls_of_arena(pointer);
+    return ls_outside_arena(pointer, command);
+  }
   /// The three allocation functions throw Fault when the local store is full or a block unknown.
   void* allocate(std::size_t size, std::size_t alignment);
   void* reallocate(void* block, std::size_t size);
@@ -89,6 +92,7 @@ class Spe {
 
  private:
   static void enter(void* self);
+  std::uint32_t ls_outside_arena(const volatile void* pointer, const Command& command);
   Stop run_fiber();
   void note_high_water();
 

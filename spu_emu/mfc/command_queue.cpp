@@ -51,8 +51,9 @@ void CommandQueue::issue(const Command& command) {
   if (mode_ == DmaMode::unchecked && queue_.empty() && is_simple_transfer(command.opcode)) {
     return issue_unchecked(command);
   }
-  if (mode_ != DmaMode::unchecked) check_command(command, issuer_, store_);
-  if (!late() && queue_.empty() && !is_list(command.opcode)) return perform_now(command);
+  std::byte* host = nullptr;
+  if (mode_ != DmaMode::unchecked) host = check_command(command, issuer_, store_);
+  if (!late() && queue_.empty() && !is_list(command.opcode)) return perform_now(command, host);
   make_room(command);
   Pending pending = prepare(command);
   if (late()) {
@@ -70,11 +71,12 @@ void CommandQueue::issue_unchecked(const Command& command) {
   report(command, begin, begin);
 }
 
-void CommandQueue::perform_now(const Command& command) {
+/// `host`: where the LS side is, found by the checks; plain transfers come here checked only.
+void CommandQueue::perform_now(const Command& command, std::byte* host) {
   const TraceTime begin = trace_time();
   count(command);
   if (is_simple_transfer(command.opcode)) {
-    move_piece(command, {store_.at(command.ls, command.size), command.ls, command.size, command.ea});
+    move_piece(command, {host, command.ls, command.size, command.ea});
   } else {
     move_other(command);
   }

@@ -44,6 +44,7 @@ class CommandQueue {
   void issue(const Command& command);
 
   std::uint32_t free_slots() const { return depth_ - static_cast<std::uint32_t>(queue_.size()); }
+  bool empty() const { return queue_.empty(); }
   /// Bit n is set while a command with tag n is in the queue.
   std::uint32_t pending_tags() const;
   /// Lands every command of these tags that can land, and what must go before them.
@@ -86,7 +87,7 @@ class CommandQueue {
 
   bool late() const { return mode_ == DmaMode::late; }
   void issue_unchecked(const Command& command);
-  void perform_now(const Command& command);
+  void perform_now(const Command& command, std::byte* host);
   void move_other(const Command& command);
   void make_room(const Command& command);
   Pending prepare(const Command& command);

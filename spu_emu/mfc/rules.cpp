@@ -97,7 +97,7 @@ std::byte* check_transfer(const Command& command, std::uint32_t ls, std::uint64_
   return host;
 }
 
-void check_command(const Command& command, Issuer issuer, LocalStoreView& store) {
+std::byte* check_command(const Command& command, Issuer issuer, LocalStoreView& store) {
   check_tag(command, issuer);
   if (issuer == Issuer::proxy) check_proxy(command);
   switch (command.opcode) {
@@ -107,7 +107,8 @@ void check_command(const Command& command, Issuer issuer, LocalStoreView& store)
     case MFC_GETL_CMD:
     case MFC_GETLB_CMD:
     case MFC_GETLF_CMD:
-      return check_list(command, store);
+      check_list(command, store);
+      return nullptr;
     case MFC_SNDSIG_CMD:
     case MFC_SNDSIGB_CMD:
     case MFC_SNDSIGF_CMD:
@@ -119,14 +120,13 @@ void check_command(const Command& command, Issuer issuer, LocalStoreView& store)
     case MFC_GET_CMD:
     case MFC_GETB_CMD:
     case MFC_GETF_CMD:
-      check_transfer(command, command.ls, command.ea, command.size, store);
-      return;
+      return check_transfer(command, command.ls, command.ea, command.size, store);
     case MFC_GETLLAR_CMD:
     case MFC_PUTLLC_CMD:
     case MFC_PUTLLUC_CMD:
     case MFC_PUTQLLUC_CMD:
       check_line(command, store);
-      return;
+      return nullptr;
     case MFC_BARRIER_CMD:
     case MFC_EIEIO_CMD:
     case MFC_SYNC_CMD:
@@ -134,14 +134,14 @@ void check_command(const Command& command, Issuer issuer, LocalStoreView& store)
     case MFC_SDCRTST_CMD:
     case MFC_SDCRST_CMD:
     case MFC_SDCRF_CMD:
-      return;
+      return nullptr;
     case MFC_SDCRZ_CMD:
       if (command.size > kLargestTransfer)
         fail(Rule::transfer_size, "more than 16384 bytes to zero", command);
       if (is_bad_address(command.ea, command.size)) {
         fail(Rule::effective_address, "no program memory can be there", command);
       }
-      return;
+      return nullptr;
     default:
       fail(Rule::opcode, format("0x%x is not a command", command.opcode), command);
   }

@@ -15,8 +15,9 @@ enum class Issuer { spu, proxy };
 std::byte* check_transfer(const Command& command, std::uint32_t ls, std::uint64_t ea, std::uint32_t size,
                           LocalStoreView& store);
 
-/// Command code, tag and what else is known when `command` is issued, list elements excepted. Throws Fault.
-void check_command(const Command& command, Issuer issuer, LocalStoreView& store);
+/// Command code, tag and what else is known when `command` is issued, list elements excepted. Returns the
+/// host address of the LS side of a plain transfer, null for other commands. Throws Fault.
+std::byte* check_command(const Command& command, Issuer issuer, LocalStoreView& store);
 
 /// True for an EA that no program can own: below 64 KB, or beyond the 47 bits of a user address.
 constexpr bool is_bad_address(std::uint64_t ea, std::uint32_t size) {

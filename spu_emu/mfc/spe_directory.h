@@ -47,7 +47,7 @@ class SpeDirectory {
   void remove(std::uint64_t base);
 
   /// Quick test: false means surely main memory.
-  bool may_be_window(std::uint64_t ea) const {
+  static bool may_be_window(std::uint64_t ea) {
     const auto low = static_cast<std::uint32_t>(ea);
     return low < largest_local_store_.load(std::memory_order_relaxed) ||
            (low >= kProblemStateOffset && low < kProblemStateOffset + kProblemStateSize);
@@ -64,7 +64,7 @@ class SpeDirectory {
  private:
   std::shared_mutex mutex_;
   std::unordered_map<std::uint64_t, SpeWindow> windows_;
-  std::atomic<std::uint32_t> largest_local_store_{0};
+  inline static std::atomic<std::uint32_t> largest_local_store_{0};
 };
 
 }  // namespace spu_emu

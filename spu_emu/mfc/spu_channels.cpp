@@ -1,7 +1,6 @@
 #include "mfc/spu_channels.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "mfc/fault.h"
 #include "mfc/format.h"
@@ -175,6 +174,7 @@ void SpuChannels::write_tag_update(std::uint32_t kind, SourceLine where) {
 void SpuChannels::wait_for_tags(std::uint32_t kind, SourceLine where) {
   const WaitSpan span(log_, "wait for tags");
   counters_.tag_waits.add(1);
+  if (queue_.empty()) return set_tag_status();  // The usual case of eager mode.
   if (kind == MFC_TAG_UPDATE_ALL) {
     queue_.land_tags(tag_mask_);
     if (done_tags() != tag_mask_)
@@ -188,6 +188,10 @@ void SpuChannels::wait_for_tags(std::uint32_t kind, SourceLine where) {
     }
   }
   queue_.land_stores();
+  set_tag_status();
+}
+
+void SpuChannels::set_tag_status() {
   tag_status_ = done_tags();
   tag_update_.reset();
   events_.raise_own(MFC_TAG_STATUS_UPDATE_EVENT);
@@ -198,7 +202,10 @@ std::uint32_t SpuChannels::read_tag_status(SourceLine where) {
     if (!tag_update_) fail_wait("the tag status is read but no tag update was written", where);
     wait_for_tags(*tag_update_, where);
   }
-  return *std::exchange(tag_status_, std::nullopt);
+  // Not std::exchange: it would copy value and flag as one word just after they were written as two.
+  const std::uint32_t status = *tag_status_;
+  tag_status_.reset();
+  return status;
 }
 
 /// Whether a read would not block; in late mode every look lets one more command land.

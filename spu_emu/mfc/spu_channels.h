@@ -84,7 +84,8 @@ class SpuChannels final : public ProblemState {
   bool progress_for_events(SourceLine where);
   WaitPoint::Time next_poll() const;
   unsigned read_mailbox(Mailbox& mailbox, std::uint32_t event, std::uint32_t* messages, unsigned count);
-  std::uint32_t done_tags() const { return tag_mask_ & ~queue_.pending_tags(); }
+  std::uint32_t done_tags() const { return queue_.empty() ? tag_mask_ : tag_mask_ & ~queue_.pending_tags(); }
+  void set_tag_status();
 
   const DmaMode mode_;
   ActivityLog* log_;

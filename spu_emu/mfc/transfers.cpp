@@ -58,13 +58,13 @@ bool Transfers::move_within_window(const Command& command, const Piece& piece, b
 
 void Transfers::get(const Command& command, const Piece& piece) {
   counters_.bytes_in.add(piece.size);
-  if (SpeDirectory::instance().may_be_window(piece.ea) && move_within_window(command, piece, true)) return;
+  if (SpeDirectory::may_be_window(piece.ea) && move_within_window(command, piece, true)) return;
   copy_bytes(piece.host, memory_at(piece.ea), piece.size, store_.word_order());
 }
 
 void Transfers::put(const Command& command, const Piece& piece) {
   counters_.bytes_out.add(piece.size);
-  if (SpeDirectory::instance().may_be_window(piece.ea) && move_within_window(command, piece, false)) return;
+  if (SpeDirectory::may_be_window(piece.ea) && move_within_window(command, piece, false)) return;
   copy_bytes(memory_at(piece.ea), piece.host, piece.size, store_.word_order());
   ReservationTable::instance().written(memory_at(piece.ea), piece.size);
 }
@@ -84,7 +84,7 @@ void Transfers::put_line(const Command& command) {
 std::byte* Transfers::line_address(const Command& command) {
   const std::uint64_t ea = command.ea & ~std::uint64_t{kLineSize - 1};
   std::byte* line = memory_at(ea);
-  if (!SpeDirectory::instance().may_be_window(ea)) return line;
+  if (!SpeDirectory::may_be_window(ea)) return line;
   SpeDirectory::instance().with_window(ea, [&](const SpeWindow* window) {
     if (window != nullptr) line = window->store->at(static_cast<std::uint32_t>(ea), kLineSize);
   });

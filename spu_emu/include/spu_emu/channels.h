@@ -42,7 +42,7 @@ inline void spu_mfcdma64(volatile void* ls, unsigned int ea_high, unsigned int e
                          unsigned int tag, unsigned int command, const char* file = __builtin_FILE(),
                          int line = __builtin_LINE()) {
   const unsigned long long ea = (static_cast<unsigned long long>(ea_high) << 32) | ea_low;
-  spu_emu_services->dma(spu_emu_services->spe, ls, ea, size, tag, command, {file, line});
+  spu_emu_services->dma(spu_emu_services->spe, ls, ea, size, tag, command, file, line);
 }
 
 inline void spu_mfcdma32(volatile void* ls, unsigned int ea, unsigned int size, unsigned int tag,

@@ -18,8 +18,10 @@ struct HostServices {
   void (*write_channel)(void* spe, unsigned int channel, unsigned int value, SourceLine where);
   unsigned int (*channel_count)(void* spe, unsigned int channel, SourceLine where);
   /// Issues one MFC command; `ls` is a pointer of the program (or an LS address as a number), sizes in bytes.
+  /// `file` and `line` are a SourceLine's, apart: as a struct they would be read back from the stack wider
+  /// than they were written, which stalls the processor for as long as a short transfer takes.
   void (*dma)(void* spe, const volatile void* ls, unsigned long long ea, unsigned int size, unsigned int tag,
-              unsigned int command, SourceLine where);
+              unsigned int command, const char* file, int line);
   /// Stop and signal with a 14-bit code; comes back only when the context is run again.
   void (*stop)(void* spe, unsigned int code, SourceLine where);
   /// Library call 0x2100-0x21ff: the handler sees `data` as an LS address below `opcode` in the top byte.
