@@ -1,19 +1,46 @@
 # add_spu_program(name sources...
-#   [INCLUDE_DIRECTORIES dirs...] [COMPILE_DEFINITIONS definitions...] [COMPILE_OPTIONS options...])
+#   [INCLUDE_DIRECTORIES dirs...] [COMPILE_DEFINITIONS definitions...] [COMPILE_OPTIONS options...]
+#   [HOST_ONLY] [CODE_RESERVE bytes] [DATA_RESERVE bytes] [STACK_RESERVE bytes])
 #
 # Builds SPU sources (C++17 against the SDK's headers) for the host engine of spu_emu and makes the static library
 # `name`, which defines `spe_program_handle_t name` with the program's image in it. Link it into the program that
 # calls spe_program_load(context, &name), which declares `extern "C" spe_program_handle_t name;`.
+#
+# Where the real compiler is (SPU_EMU_TOOLCHAIN_DIR), the same sources with the same options become NAME.elf, too; then
+# the library also defines `spe_program_handle_t name_elf`, users of the library are compiled with SPU_EMU_HAS_ELF=1,
+# and spu_emu_has_elf(name variable) is true. HOST_ONLY is for sources that are not for a real SPU. The reserves are
+# those that the host engine is told to count for the program, where they are not its defaults.
+include(${CMAKE_CURRENT_LIST_DIR}/spu_elf.cmake)
+
+# The library `name` gets an object that defines `handle` for the image in `file`; it is compiled again whenever `cause`
+# was made again.
+function(spu_emu_add_image name handle file cause)
+  set(image ${CMAKE_CURRENT_BINARY_DIR}/${handle}_spu_image.cpp)
+  add_custom_command(OUTPUT ${image}
+    COMMAND ${CMAKE_COMMAND} -E copy ${SPU_EMU_RUNTIME_DIR}/image.cpp ${image}
+    COMMAND ${CMAKE_COMMAND} -E touch ${image}
+    DEPENDS ${cause} ${SPU_EMU_RUNTIME_DIR}/image.cpp VERBATIM)
+  target_sources(${name} PRIVATE ${image})
+  set_source_files_properties(${image} PROPERTIES
+    COMPILE_DEFINITIONS "SPU_EMU_PROGRAM=${handle};SPU_EMU_IMAGE=\"${file}\"")
+endfunction()
+
 function(add_spu_program name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS;COMPILE_OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "HOST_ONLY" "CODE_RESERVE;DATA_RESERVE;STACK_RESERVE"
+    "INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS;COMPILE_OPTIONS")
   set(module ${name}_spu_module)
   set(program ${name}_spu_objects)
 
+  # What both compilers are told.
+  add_library(${name}_spu_settings INTERFACE)
+  target_compile_definitions(${name}_spu_settings INTERFACE ${arg_COMPILE_DEFINITIONS})
+  target_include_directories(${name}_spu_settings INTERFACE ${arg_INCLUDE_DIRECTORIES})
+  target_compile_options(${name}_spu_settings INTERFACE ${arg_COMPILE_OPTIONS})
+
   # The program's own sources: main is renamed, for the module has no start-up code of its own.
   add_library(${program} OBJECT ${arg_UNPARSED_ARGUMENTS})
-  target_compile_definitions(${program} PRIVATE main=spu_emu_program_main __SPU__=1 ${arg_COMPILE_DEFINITIONS})
-  target_include_directories(${program} PRIVATE ${arg_INCLUDE_DIRECTORIES})
-  target_compile_options(${program} PRIVATE ${arg_COMPILE_OPTIONS})
+  target_compile_definitions(${program} PRIVATE main=spu_emu_program_main __SPU__=1)
+  target_link_libraries(${program} PRIVATE ${name}_spu_settings)
 
   add_library(${module} MODULE ${SPU_EMU_RUNTIME_DIR}/module.cpp $<TARGET_OBJECTS:${program}>)
   foreach(target IN ITEMS ${program} ${module})
@@ -33,15 +60,17 @@ function(add_spu_program name)
     -Wl,--wrap=memalign,--wrap=aligned_alloc,--wrap=posix_memalign
     -Wl,--wrap=exit,--wrap=_exit,--wrap=atexit,--wrap=__cxa_atexit)
 
-  # The image object is compiled again whenever the module was linked again.
-  set(image ${CMAKE_CURRENT_BINARY_DIR}/${name}_spu_image.cpp)
-  add_custom_command(OUTPUT ${image}
-    COMMAND ${CMAKE_COMMAND} -E copy ${SPU_EMU_RUNTIME_DIR}/image.cpp ${image}
-    COMMAND ${CMAKE_COMMAND} -E touch ${image}
-    DEPENDS ${module} ${SPU_EMU_RUNTIME_DIR}/image.cpp VERBATIM)
-  add_library(${name} STATIC ${image})
+  add_library(${name} STATIC)
   target_compile_features(${name} PRIVATE cxx_std_17)
   target_link_libraries(${name} PRIVATE spu_emu::headers)
-  target_compile_definitions(${name} PRIVATE
-    SPU_EMU_PROGRAM=${name} "SPU_EMU_IMAGE=\"$<TARGET_FILE:${module}>\"")
+  spu_emu_add_image(${name} ${name} $<TARGET_FILE:${module}> ${module})
+
+  spu_emu_find_toolchain(toolchain)
+  if(toolchain AND NOT arg_HOST_ONLY)
+    spu_emu_add_elf(${name} ${toolchain} ${arg_UNPARSED_ARGUMENTS})
+    if(SPU_EMU_TESTS)
+      spu_emu_test_reserves(${name} ${toolchain} CODE_RESERVE ${arg_CODE_RESERVE} DATA_RESERVE ${arg_DATA_RESERVE}
+        STACK_RESERVE ${arg_STACK_RESERVE})
+    endif()
+  endif()
 endfunction()

@@ -6,7 +6,7 @@ install(TARGETS spu_emu spu_emu_headers EXPORT spu_emu_targets)
 install(EXPORT spu_emu_targets NAMESPACE spu_emu:: DESTINATION ${package_dir})
 install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/spu_emu)
 install(DIRECTORY runtime/ DESTINATION ${CMAKE_INSTALL_DATADIR}/spu_emu/runtime)
-install(FILES cmake/add_spu_program.cmake DESTINATION ${package_dir})
+install(FILES cmake/add_spu_program.cmake cmake/spu_elf.cmake cmake/spu_elf_report.cmake DESTINATION ${package_dir})
 
 set(SPU_EMU_INSTALLED_RUNTIME ${CMAKE_INSTALL_DATADIR}/spu_emu/runtime)
 configure_package_config_file(cmake/spu_emu-config.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/spu_emu-config.cmake

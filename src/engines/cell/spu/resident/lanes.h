@@ -9,14 +9,15 @@
 namespace cellsweep::cell {
 
 constexpr vec_uchar16 word_pattern(unsigned int a, unsigned int b, unsigned int c, unsigned int d) {
-  return vec_uchar16{static_cast<unsigned char>(4 * a),     static_cast<unsigned char>(4 * a + 1),
-                     static_cast<unsigned char>(4 * a + 2), static_cast<unsigned char>(4 * a + 3),
-                     static_cast<unsigned char>(4 * b),     static_cast<unsigned char>(4 * b + 1),
-                     static_cast<unsigned char>(4 * b + 2), static_cast<unsigned char>(4 * b + 3),
-                     static_cast<unsigned char>(4 * c),     static_cast<unsigned char>(4 * c + 1),
-                     static_cast<unsigned char>(4 * c + 2), static_cast<unsigned char>(4 * c + 3),
-                     static_cast<unsigned char>(4 * d),     static_cast<unsigned char>(4 * d + 1),
-                     static_cast<unsigned char>(4 * d + 2), static_cast<unsigned char>(4 * d + 3)};
+  vec_uchar16 pattern = {static_cast<unsigned char>(4 * a),     static_cast<unsigned char>(4 * a + 1),
+                         static_cast<unsigned char>(4 * a + 2), static_cast<unsigned char>(4 * a + 3),
+                         static_cast<unsigned char>(4 * b),     static_cast<unsigned char>(4 * b + 1),
+                         static_cast<unsigned char>(4 * b + 2), static_cast<unsigned char>(4 * b + 3),
+                         static_cast<unsigned char>(4 * c),     static_cast<unsigned char>(4 * c + 1),
+                         static_cast<unsigned char>(4 * c + 2), static_cast<unsigned char>(4 * c + 3),
+                         static_cast<unsigned char>(4 * d),     static_cast<unsigned char>(4 * d + 1),
+                         static_cast<unsigned char>(4 * d + 2), static_cast<unsigned char>(4 * d + 3)};
+  return pattern;
 }
 
 /// Moves the words of the set bits, the left word's bit first, to the left.

@@ -1,0 +1,83 @@
+# Prints what SPU ELF files take of the local store, and checks it against the host engine's reserves.
+#   cmake -DTOOLCHAIN=<folder> -DPROGRAMS=<a.elf;b.elf...>
+#     [-DDEFAULTS=<spu_emu/emulation.h> -DCODE_RESERVE=<bytes> -DDATA_RESERVE=<bytes> -DSTACK_RESERVE=<bytes>]
+#     -P spu_elf_report.cmake
+# Beside each file lies FILE.stack, the linker's stack analysis. With DEFAULTS it fails when a program takes more than a
+# reserve; empty reserves are the defaults of EmulationSettings, and data is not limited unless stated.
+set(local_store 262144)
+
+function(print_row)
+  execute_process(COMMAND printf "%-28s %8s %8s %8s %8s %8s\\n" ${ARGV})
+endfunction()
+
+# The sizes of one file, as variables of the caller.
+function(measure elf)
+  execute_process(COMMAND ${TOOLCHAIN}/bin/spu-elf-size ${elf} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT text MATCHES "\n *([0-9]+)[ \t]+([0-9]+)[ \t]+([0-9]+)")
+    message(FATAL_ERROR "spu-elf-size says of ${elf}: ${text}")
+  endif()
+  set(code ${CMAKE_MATCH_1} PARENT_SCOPE)
+  set(data ${CMAKE_MATCH_2} PARENT_SCOPE)
+  set(bss ${CMAKE_MATCH_3} PARENT_SCOPE)
+  math(EXPR static "${CMAKE_MATCH_1} + ${CMAKE_MATCH_2} + ${CMAKE_MATCH_3}")
+  file(READ ${elf}.stack text)
+  if(NOT text MATCHES "Maximum stack required is (0x[0-9a-fA-F]+)")
+    message(FATAL_ERROR "no stack analysis in ${elf}.stack")
+  endif()
+  math(EXPR stack "${CMAKE_MATCH_1}")
+  string(REGEX MATCHALL "ignore the call from [^\n]+" recursive "${text}")
+  list(FILTER recursive EXCLUDE REGEX " _exit ")  # It calls itself in an endless loop, not on the stack.
+  list(TRANSFORM recursive REPLACE "ignore the call from (.+) to .+" "\\1")
+  list(REMOVE_DUPLICATES recursive)
+  math(EXPR free "${local_store} - ${static} - ${stack}")
+  set(stack ${stack} PARENT_SCOPE)
+  set(recursive ${recursive} PARENT_SCOPE)
+  set(free ${free} PARENT_SCOPE)
+endfunction()
+
+# The default of a field of EmulationSettings, which is written as a number of KB.
+function(default_of field out)
+  file(STRINGS ${DEFAULTS} line REGEX " ${field} = [0-9]+ \\* 1024;")
+  if(NOT line MATCHES "= ([0-9]+) ")
+    message(FATAL_ERROR "no default of ${field} in ${DEFAULTS}")
+  endif()
+  math(EXPR bytes "${CMAKE_MATCH_1} * 1024")
+  set(${out} ${bytes} PARENT_SCOPE)
+endfunction()
+
+function(check name what bytes reserve)
+  if(bytes GREATER reserve)
+    message(SEND_ERROR "${name} takes ${bytes} bytes of ${what}; the host engine counts ${reserve}")
+  endif()
+endfunction()
+
+if(DEFAULTS)
+  if(NOT CODE_RESERVE)
+    default_of(code_reserve CODE_RESERVE)
+  endif()
+  if(NOT STACK_RESERVE)
+    default_of(stack_reserve STACK_RESERVE)
+  endif()
+  if(NOT DATA_RESERVE)
+    set(DATA_RESERVE ${local_store})
+  endif()
+endif()
+
+print_row("SPU program" code data bss stack free)
+foreach(elf IN LISTS PROGRAMS)
+  cmake_path(GET elf STEM name)
+  measure(${elf})
+  print_row(${name} ${code} ${data} ${bss} ${stack} ${free})
+  foreach(function IN LISTS recursive)
+    execute_process(COMMAND printf "  its stack counts one call of %s\\n" ${function})
+  endforeach()
+  if(free LESS 0)
+    message(SEND_ERROR "${name} does not fit into the local store")
+  endif()
+  if(DEFAULTS)
+    math(EXPR all_data "${data} + ${bss}")
+    check(${name} "code and constants" ${code} ${CODE_RESERVE})
+    check(${name} "data" ${all_data} ${DATA_RESERVE})
+    check(${name} "stack" ${stack} ${STACK_RESERVE})
+  endif()
+endforeach()
