@@ -32,15 +32,18 @@ std::vector<Setting> settings_of(std::string_view engine) {
       with("dma_unchecked", &EngineOptions::dma, DmaMode::unchecked),
       with("local_store_128K", &EngineOptions::local_store_bytes, std::uint64_t{128} << 10),
       with("local_store_1M", &EngineOptions::local_store_bytes, std::uint64_t{1} << 20),
-      with("local_store_off", &EngineOptions::local_store_bytes, std::uint64_t{0})};
+      with("local_store_off", &EngineOptions::local_store_bytes, std::uint64_t{0}),
+      with("trace", &EngineOptions::trace_file, std::string("/dev/null"))};
   if (engine == "cell-paper") {
     settings.push_back(with("method_2", &EngineOptions::method, 2U));
     settings.push_back(with("list_dma", &EngineOptions::list_dma, true));
     Setting both = with("method_2_list_dma", &EngineOptions::method, 2U);
     both.options.list_dma = true;
     settings.push_back(both);
+    settings.push_back(with("literal", &EngineOptions::literal, true));
     return settings;
   }
+  if (engine == "cell-resident") settings.push_back(with("spu_boxes", &EngineOptions::spu_boxes, true));
   for (const unsigned spus : {1U, 2U, 6U}) {
     settings.push_back(with("spus_" + std::to_string(spus), &EngineOptions::spus, spus));
   }

@@ -1,6 +1,6 @@
 /// @file
-/// The suite of the Cell engines' settings: DMA mode, local store, overlap method, results by list, SPU
-/// count.
+/// The suite of the Cell engines' settings: DMA mode, local store, overlap method, results by list, the
+/// document's literal logic, SPU count, boxes made on the SPUs, a timeline.
 #pragma once
 
 namespace cellsweep::bench {

@@ -16,34 +16,23 @@ constexpr std::size_t kBodiesToCheckLong = 10'000;
 
 using Clock = std::chrono::steady_clock;
 
-// Runs a frame and returns its seconds; set-up phases are taken out.
-template <class HandOver>
-double seconds_of_frame(Broadphase& engine, HandOver&& hand_over) {
-  const Clock::time_point start = Clock::now();
-  hand_over();
-  const bool updated = engine.update().ok();
-  double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  benchmark::DoNotOptimize(updated);
-  for (const Phase& phase : engine.statistics().phases) {
-    if (phase.setup) seconds -= phase.milliseconds / 1000;
-  }
-  return seconds;
+report::Shape shape_of(const EngineRow& row) {
+  return row.options.spu_boxes ? report::Shape::poses : report::Shape::boxes;
 }
 
 double time_initial(const EngineRow& row, const FrameSource& source, std::unique_ptr<Broadphase>& engine) {
   engine = std::move(*make_engine(row.engine, row.options));
-  return seconds_of_frame(*engine,
-                          [&] { benchmark::DoNotOptimize(report::insert_all(*engine, source).ok()); });
+  return seconds_of_frame(*engine, [&] { return report::insert_all(*engine, source, shape_of(row)); });
 }
 
 double time_next_frame(const EngineRow& row, FrameSource& source, Broadphase& engine) {
   if (row.mode == Mode::moving) source.advance();
-  return seconds_of_frame(engine,
-                          [&] { benchmark::DoNotOptimize(report::move_changed(engine, source).ok()); });
+  return seconds_of_frame(engine, [&] { return report::move_changed(engine, source, shape_of(row)); });
 }
 
 // Empty when the engine equals the oracle on the first frames of the row, else what is wrong.
 std::string check(const EngineRow& row) {
+  if (row.options.literal) return "";
   auto source = make_scene_frames(row.scene);
   auto engine = make_engine(row.engine, row.options);
   if (!source) return source.status().message;
@@ -51,7 +40,8 @@ std::string check(const EngineRow& row) {
   std::vector<std::unique_ptr<Broadphase>> engines;
   engines.push_back(std::move(*engine));
   const std::size_t long_check = row.scene.bodies <= kBodiesToCheckLong ? kUpdatesToCheck : 1;
-  const auto verdicts = report::verify_engines(engines, **source, row.mode == Mode::initial ? 0 : long_check);
+  const auto verdicts =
+      report::verify_engines(engines, **source, row.mode == Mode::initial ? 0 : long_check, shape_of(row));
   if (!verdicts) return verdicts.status().message;
   if (verdicts->front().first) return report::describe(*verdicts->front().first);
   return verdicts->front().exact() ? "" : "began or ended pairs are not the difference of the frames";
@@ -73,6 +63,18 @@ void run_row(benchmark::State& state, const EngineRow& row) {
 }
 
 }  // namespace
+
+double seconds_of_frame(Broadphase& engine, const std::function<Status()>& hand_over) {
+  const Clock::time_point start = Clock::now();
+  const bool handed_over = hand_over().ok();
+  const bool updated = engine.update().ok();
+  double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  benchmark::DoNotOptimize(handed_over && updated);
+  for (const Phase& phase : engine.statistics().phases) {
+    if (phase.setup) seconds -= phase.milliseconds / 1000;
+  }
+  return seconds;
+}
 
 void register_engine_row(const std::string& name, const EngineRow& row) {
   benchmark::RegisterBenchmark(name.c_str(), [row](benchmark::State& state) { run_row(state, row); })

@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -34,10 +35,13 @@ struct EngineRow {
   Mode mode = Mode::initial;
 };
 
+/// Seconds of handing something over and of the update after it, without phases marked as set-up.
+double seconds_of_frame(Broadphase& engine, const std::function<Status()>& hand_over);
+
 /// Registers a row under this name. It is compared with the oracle before it is timed and skipped with an
-/// error when they differ. The time is that of handing over the boxes that changed and of update(), without
-/// phases marked as set-up. Counters: `pairs`, and `boxes/s`, all bodies of the scene over the time of one
-/// frame; the label is the pairs' hash.
+/// error when they differ, but for rows of the document's literal logic. The time is that of handing over the
+/// boxes that changed and of update(), without phases marked as set-up. Counters: `pairs`, and `boxes/s`, all
+/// bodies of the scene over the time of one frame; the label is the pairs' hash.
 void register_engine_row(const std::string& name, const EngineRow& row);
 
 }  // namespace cellsweep::bench

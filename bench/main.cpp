@@ -13,6 +13,7 @@
 #include "bench/cell_suite.h"
 #include "bench/first_attempt_suite.h"
 #include "bench/sort_suite.h"
+#include "bench/timings_suite.h"
 #endif
 
 namespace {
@@ -37,6 +38,8 @@ int main(int argc, char** argv) {
   cellsweep::bench::register_cell_suite();
   cellsweep::bench::register_first_attempt_suite();
   cellsweep::bench::register_sort_suite();
+  cellsweep::bench::register_timings_suite();
+  cellsweep::bench::register_sizes_suite();
 #endif
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;

@@ -11,6 +11,7 @@
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/pair.h"
+#include "cellsweep/pose.h"
 #include "cellsweep/status.h"
 
 namespace cellsweep {
@@ -85,6 +86,18 @@ class Broadphase {
   Status insert(BodyId id, const Aabb& box) { return insert(std::span(&id, 1), std::span(&box, 1)); }
   Status move(BodyId id, const Aabb& box) { return move(std::span(&id, 1), std::span(&box, 1)); }
   Status remove(BodyId id) { return remove(std::span(&id, 1)); }
+
+  /// insert() and move() with boxes that the engine makes itself (F3): each encloses its pose's box, is a few
+  /// float steps wider at most, and of a body that is not turned it is c − h to c + h, rounded outwards. A
+  /// body may be given boxes and poses in turn. Errors: those of insert() and move(), invalid_box for a pose
+  /// that breaks the rules of BodyPose, bad_option from an engine that makes no boxes
+  /// (EngineOptions::spu_boxes).
+  virtual Status insert_poses(std::span<const BodyId> ids, std::span<const BodyPose> poses);
+  virtual Status move_poses(std::span<const BodyId> ids, std::span<const BodyPose> poses);
+
+  /// Copies the boxes that the last update() compared into the caller's `boxes`. Errors: bad_input (spans of
+  /// different length), unknown_body for one that no update() has seen, bad_option as insert_poses().
+  virtual Status boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const;
 
   /// Brings the pairs up to date with all calls since the last update and says what changed. A pair that
   /// began and ended in between is not mentioned. A failure leaves the pairs of the update before in place.

@@ -55,6 +55,10 @@ struct EngineOptions {
   /// cell-paper: send results by DMA list instead of in chunks (C13).
   bool list_dma = false;
 
+  /// cell-resident: take poses (Broadphase::insert_poses()) and make their boxes on the SPUs, an axis each
+  /// (F3). Costs local store.
+  bool spu_boxes = false;
+
   /// Cell engines: write a timeline of the SPEs (opens in Perfetto) to this file when the last engine that
   /// names it is destroyed; empty writes none.
   std::string trace_file{};

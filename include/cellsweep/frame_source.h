@@ -8,6 +8,7 @@
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/pair.h"
+#include "cellsweep/pose.h"
 
 namespace cellsweep {
 
@@ -22,6 +23,10 @@ class FrameSource {
 
   /// The boxes of the frame it stands at, indexed by body id. Valid until advance().
   virtual std::span<const Aabb> boxes() const = 0;
+
+  /// The poses of the bodies, indexed as the boxes; empty when the source knows none. They are those of the
+  /// last frame in which the body's box changed. Valid until advance().
+  virtual std::span<const BodyPose> poses() const { return {}; }
 
   /// The bodies whose box differs from the frame before, ascending; empty at frame 0. Valid until advance().
   virtual std::span<const BodyId> moved() const = 0;

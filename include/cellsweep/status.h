@@ -14,7 +14,7 @@ namespace cellsweep {
 
 enum class StatusCode {
   ok,
-  invalid_box,     ///< NaN, infinity or min > max
+  invalid_box,     ///< NaN, infinity or min > max; a pose that is none
   unknown_body,    ///< an id that is not in the engine
   duplicate_body,  ///< an id that is there already, or twice in one call
   capacity,        ///< more than a stated limit allows

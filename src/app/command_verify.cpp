@@ -40,7 +40,7 @@ struct Verify {
     auto source = make_source();
     if (!source) return complain(source.status());
     const std::string name = (*source)->name();
-    const auto verdicts = report::verify_engines(*made, **source, last_update());
+    const auto verdicts = report::verify_engines(*made, **source, last_update(), engines.shape());
     if (!verdicts) return complain(verdicts.status());
     print_verdicts(name, *verdicts);
     const bool exact =

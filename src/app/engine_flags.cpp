@@ -50,6 +50,8 @@ void EngineFlags::add_cell_flags(CLI::App& command) {
   command.add_option("--dma-seed", options_.dma_seed, "Cell engines: the order of late transfers")
       ->capture_default_str();
   command.add_flag("--list-dma", options_.list_dma, "cell-paper: results by DMA list, not in chunks");
+  command.add_flag("--spu-boxes", options_.spu_boxes,
+                   "cell-resident: given poses, it makes their boxes on the SPUs");
   command.add_option("--trace", options_.trace_file, "Cell engines: write a timeline that opens in Perfetto")
       ->type_name("FILE");
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cellsweep/engines.h"
+#include "report/run_engine.h"
 
 namespace cellsweep::app {
 
@@ -21,6 +22,9 @@ class EngineFlags {
 
   const std::vector<std::string>& names() const { return names_; }
   const EngineOptions& options() const { return options_; }
+
+  /// What the engines are to be given.
+  report::Shape shape() const { return options_.spu_boxes ? report::Shape::poses : report::Shape::boxes; }
 
   /// One empty engine a name. Errors: those of make_engine().
   Result<Engines> make() const;

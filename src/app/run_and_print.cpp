@@ -9,13 +9,15 @@ ExitCode run_and_print(const EngineFlags& engine_flags, const FrameFlags& frame_
                        const SourceMaker& make_source) {
   auto engines = engine_flags.make();
   if (!engines) return complain(engines.status());
+  report::RunSettings settings = frame_flags.settings;
+  settings.shape = engine_flags.shape();
   std::vector<report::RunReport> runs;
   std::string source_name;
   for (const auto& engine : *engines) {
     auto source = make_source();
     if (!source) return complain(source.status());
     source_name = (*source)->name();
-    auto run = report::run_engine(*engine, **source, frame_flags.settings);
+    auto run = report::run_engine(*engine, **source, settings);
     if (!run) return complain(run.status());
     runs.push_back(std::move(*run));
   }

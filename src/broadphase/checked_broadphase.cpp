@@ -1,27 +1,38 @@
 #include "broadphase/checked_broadphase.h"
 
 #include "broadphase/input_checks.h"
+#include "broadphase/pose_checks.h"
 #include "broadphase/text.h"
 
 namespace cellsweep {
 
 Status CheckedBroadphase::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
-  if (Status status = check_boxes(ids, boxes); !status.ok()) return status;
-  for (const BodyId id : ids) {
-    if (bodies_.find(id) != kNoSlot) return duplicate_body_status(id, "in the engine already");
-  }
-  if (Status status = check_room(ids.size()); !status.ok()) return status;
-  bodies_.reserve_more(ids.size());
-  slots_.clear();
-  for (const BodyId id : ids) slots_.push_back(bodies_.insert(id));
+  if (Status status = check_shapes(ids, boxes, boxes_); !status.ok()) return status;
+  if (Status status = make_slots(ids); !status.ok()) return status;
   apply_insert(slots_, boxes_);
   return {};
 }
 
 Status CheckedBroadphase::move(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
-  if (Status status = check_boxes(ids, boxes); !status.ok()) return status;
+  if (Status status = check_shapes(ids, boxes, boxes_); !status.ok()) return status;
   if (Status status = find_slots(ids); !status.ok()) return status;
   apply_move(slots_, boxes_);
+  return {};
+}
+
+Status CheckedBroadphase::insert_poses(std::span<const BodyId> ids, std::span<const BodyPose> poses) {
+  if (!takes_poses()) return Broadphase::insert_poses(ids, poses);
+  if (Status status = check_shapes(ids, poses, poses_); !status.ok()) return status;
+  if (Status status = make_slots(ids); !status.ok()) return status;
+  apply_insert_poses(slots_, poses_);
+  return {};
+}
+
+Status CheckedBroadphase::move_poses(std::span<const BodyId> ids, std::span<const BodyPose> poses) {
+  if (!takes_poses()) return Broadphase::move_poses(ids, poses);
+  if (Status status = check_shapes(ids, poses, poses_); !status.ok()) return status;
+  if (Status status = find_slots(ids); !status.ok()) return status;
+  apply_move_poses(slots_, poses_);
   return {};
 }
 
@@ -34,16 +45,30 @@ Status CheckedBroadphase::remove(std::span<const BodyId> ids) {
   return {};
 }
 
-Status CheckedBroadphase::check_boxes(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
-  if (ids.size() != boxes.size()) return length_status(ids.size(), boxes.size());
-  boxes_.clear();
-  boxes_.reserve(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    boxes_.push_back(canonical(boxes[i]));
-    if (!is_valid(boxes_.back())) return invalid_box_status(ids[i], boxes[i]);
+template <class Shape>
+Status CheckedBroadphase::check_shapes(std::span<const BodyId> ids, std::span<const Shape> shapes,
+                                       std::vector<Shape>& checked) {
+  if (ids.size() != shapes.size()) return length_status(ids.size(), shapes.size());
+  checked.clear();
+  checked.reserve(shapes.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    checked.push_back(canonical(shapes[i]));
+    if (!is_valid(checked.back())) return invalid_box_status(ids[i], shapes[i]);
   }
   if (const auto twice = find_duplicate(ids))
     return duplicate_body_status(*twice, "listed twice in one call");
+  return {};
+}
+
+// Slots of new bodies, when there is room for them.
+Status CheckedBroadphase::make_slots(std::span<const BodyId> ids) {
+  for (const BodyId id : ids) {
+    if (bodies_.find(id) != kNoSlot) return duplicate_body_status(id, "in the engine already");
+  }
+  if (Status status = check_room(ids.size()); !status.ok()) return status;
+  bodies_.reserve_more(ids.size());
+  slots_.clear();
+  for (const BodyId id : ids) slots_.push_back(bodies_.insert(id));
   return {};
 }
 

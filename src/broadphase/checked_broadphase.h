@@ -21,6 +21,8 @@ class CheckedBroadphase : public Broadphase {
   Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes) final;
   Status move(std::span<const BodyId> ids, std::span<const Aabb> boxes) final;
   Status remove(std::span<const BodyId> ids) final;
+  Status insert_poses(std::span<const BodyId> ids, std::span<const BodyPose> poses) final;
+  Status move_poses(std::span<const BodyId> ids, std::span<const BodyPose> poses) final;
   std::size_t size() const final { return bodies_.size(); }
 
  protected:
@@ -30,16 +32,25 @@ class CheckedBroadphase : public Broadphase {
   /// Called while the bodies are still in the table.
   virtual void apply_remove(std::span<const Slot> slots) = 0;
 
+  /// True for an engine that makes boxes from poses; only such a one gets any.
+  virtual bool takes_poses() const { return false; }
+  virtual void apply_insert_poses(std::span<const Slot>, std::span<const BodyPose>) {}
+  virtual void apply_move_poses(std::span<const Slot>, std::span<const BodyPose>) {}
+
   const BodyTable& bodies() const { return bodies_; }
 
  private:
-  Status check_boxes(std::span<const BodyId> ids, std::span<const Aabb> boxes);
+  template <class Shape>
+  Status check_shapes(std::span<const BodyId> ids, std::span<const Shape> shapes,
+                      std::vector<Shape>& checked);
+  Status make_slots(std::span<const BodyId> ids);
   Status find_slots(std::span<const BodyId> ids);
   Status check_room(std::size_t more) const;
 
   BodyTable bodies_;
   std::vector<Slot> slots_;  // of the call that is being applied
   std::vector<Aabb> boxes_;  // its boxes, canonical
+  std::vector<BodyPose> poses_;
 };
 
 }  // namespace cellsweep

@@ -49,19 +49,36 @@ Status unreached_frame_status(std::size_t wanted, std::size_t last) {
           "report-frames"};
 }
 
-}  // namespace
-
-Status insert_all(Broadphase& engine, const FrameSource& source) {
-  std::vector<BodyId> ids(source.boxes().size());
-  std::iota(ids.begin(), ids.end(), BodyId{0});
-  return engine.insert(ids, source.boxes());
+Status no_poses_status(const std::string& source) {
+  return {StatusCode::bad_input,
+          text("Source ", source, " has boxes only; no engine can make them from poses."),
+          std::nullopt,
+          0,
+          0,
+          "spu-boxes"};
 }
 
-Status move_changed(Broadphase& engine, const FrameSource& source) {
-  std::vector<Aabb> boxes;
-  boxes.reserve(source.moved().size());
-  for (const BodyId id : source.moved()) boxes.push_back(source.boxes()[id]);
-  return engine.move(source.moved(), boxes);
+template <class T>
+std::vector<T> of_moved(const FrameSource& source, std::span<const T> all) {
+  std::vector<T> some;
+  some.reserve(source.moved().size());
+  for (const BodyId id : source.moved()) some.push_back(all[id]);
+  return some;
+}
+
+}  // namespace
+
+Status insert_all(Broadphase& engine, const FrameSource& source, Shape shape) {
+  std::vector<BodyId> ids(source.boxes().size());
+  std::iota(ids.begin(), ids.end(), BodyId{0});
+  if (shape == Shape::boxes) return engine.insert(ids, source.boxes());
+  if (source.poses().size() != ids.size()) return no_poses_status(source.name());
+  return engine.insert_poses(ids, source.poses());
+}
+
+Status move_changed(Broadphase& engine, const FrameSource& source, Shape shape) {
+  if (shape == Shape::boxes) return engine.move(source.moved(), of_moved(source, source.boxes()));
+  return engine.move_poses(source.moved(), of_moved(source, source.poses()));
 }
 
 Result<RunReport> run_engine(Broadphase& engine, FrameSource& source, const RunSettings& settings) {
@@ -73,7 +90,8 @@ Result<RunReport> run_engine(Broadphase& engine, FrameSource& source, const RunS
     return wanted.empty() ? frame == 0 : wanted.contains(frame);
   };
 
-  Status status = timed_frame(engine, report, report.initial_ms, [&] { return insert_all(engine, source); });
+  Status status = timed_frame(engine, report, report.initial_ms,
+                              [&] { return insert_all(engine, source, settings.shape); });
   if (!status.ok()) return status;
   if (is_wanted(0)) report_frame(engine, 0, report);
 
@@ -82,7 +100,8 @@ Result<RunReport> run_engine(Broadphase& engine, FrameSource& source, const RunS
   while (frame < settings.updates && source.advance()) {
     ++frame;
     double frame_ms = 0;
-    status = timed_frame(engine, report, frame_ms, [&] { return move_changed(engine, source); });
+    status =
+        timed_frame(engine, report, frame_ms, [&] { return move_changed(engine, source, settings.shape); });
     if (!status.ok()) return status;
     report.update_ms.push_back(frame_ms);
     if (is_wanted(frame)) report_frame(engine, frame, report);

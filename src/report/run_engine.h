@@ -12,9 +12,13 @@
 
 namespace cellsweep::report {
 
+/// What an engine is handed: boxes, or poses of which it makes the boxes itself (F3).
+enum class Shape { boxes, poses };
+
 struct RunSettings {
   std::size_t updates = 0;                 ///< frames after frame 0; fewer when the source ends before
   std::vector<std::size_t> report_frames;  ///< frames whose pairs are counted; empty: the first and the last
+  Shape shape = Shape::boxes;              ///< what the engine is given
 };
 
 /// The pairs of one frame.
@@ -39,10 +43,11 @@ struct RunReport {
 /// bad_input for a report frame that the run does not reach.
 Result<RunReport> run_engine(Broadphase& engine, FrameSource& source, const RunSettings& settings);
 
-/// Hands all boxes of a source to an empty engine as bodies 0 … n − 1.
-Status insert_all(Broadphase& engine, const FrameSource& source);
+/// Hands all bodies of a source to an empty engine, as 0 … n − 1. Errors: those of the engine, and bad_input
+/// for poses of a source that knows none.
+Status insert_all(Broadphase& engine, const FrameSource& source, Shape shape = Shape::boxes);
 
-/// Hands an engine the boxes that changed in the frame the source stands at.
-Status move_changed(Broadphase& engine, const FrameSource& source);
+/// Hands an engine the bodies that changed in the frame the source stands at.
+Status move_changed(Broadphase& engine, const FrameSource& source, Shape shape = Shape::boxes);
 
 }  // namespace cellsweep::report

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include "broadphase/brute_force.h"
 #include "broadphase/text.h"
@@ -25,13 +26,13 @@ class Judge {
   explicit Judge(const Broadphase& engine) { report_.engine = engine.name(); }
 
   void compare(const Broadphase& engine, const PairChanges& changes, const Pairs& truth,
-               const FrameSource& source) {
+               std::span<const Aabb> boxes) {
     Pairs found(engine.pairs().begin(), engine.pairs().end());
     std::sort(found.begin(), found.end());
     const Pairs missed = without(truth, found);
     const Pairs invented = without(found, truth);
-    if (!missed.empty()) note(missed.front(), true, source);
-    if (!invented.empty()) note(invented.front(), false, source);
+    if (!missed.empty()) note(missed.front(), true, boxes);
+    if (!invented.empty()) note(invented.front(), false, boxes);
     report_.pairs += truth.size();
     report_.missed += missed.size();
     report_.invented += invented.size();
@@ -43,10 +44,10 @@ class Judge {
   const VerifyReport& report() const { return report_; }
 
  private:
-  void note(Pair pair, bool missed, const FrameSource& source) {
+  void note(Pair pair, bool missed, std::span<const Aabb> boxes) {
     if (report_.first) return;
     // An engine that invents pairs may invent bodies, too.
-    const auto box = [&](BodyId id) { return id < source.boxes().size() ? source.boxes()[id] : Aabb{}; };
+    const auto box = [&](BodyId id) { return id < boxes.size() ? boxes[id] : Aabb{}; };
     report_.first = Difference{report_.frames, pair, missed, box(pair.a), box(pair.b)};
   }
 
@@ -61,27 +62,43 @@ class Judge {
   Pairs before_;
 };
 
+// The boxes that an engine made of all bodies.
+Result<std::vector<Aabb>> handed_out_boxes(const Broadphase& engine, std::size_t bodies) {
+  std::vector<BodyId> ids(bodies);
+  std::iota(ids.begin(), ids.end(), BodyId{0});
+  std::vector<Aabb> boxes(bodies);
+  if (Status status = engine.boxes(ids, boxes); !status.ok()) return status;
+  return boxes;
+}
+
 }  // namespace
 
 Result<std::vector<VerifyReport>> verify_engines(std::span<const std::unique_ptr<Broadphase>> engines,
-                                                 FrameSource& source, std::size_t updates) {
+                                                 FrameSource& source, std::size_t updates, Shape shape) {
   std::vector<Judge> judges;
   for (const auto& engine : engines) {
-    if (Status status = insert_all(*engine, source); !status.ok()) return status;
+    if (Status status = insert_all(*engine, source, shape); !status.ok()) return status;
     judges.emplace_back(*engine);
   }
   Progress progress("verify", updates);
   for (std::size_t frame = 0;; ++frame) {
-    const Pairs truth = brute_force_pairs(source.boxes());
+    Pairs truth;
+    if (shape == Shape::boxes) truth = brute_force_pairs(source.boxes());
     for (std::size_t i = 0; i < engines.size(); ++i) {
       const auto changes = engines[i]->update();
       if (!changes) return changes.status();
-      judges[i].compare(*engines[i], *changes, truth, source);
+      if (shape == Shape::boxes) {
+        judges[i].compare(*engines[i], *changes, truth, source.boxes());
+        continue;
+      }
+      const auto boxes = handed_out_boxes(*engines[i], source.boxes().size());
+      if (!boxes) return boxes.status();
+      judges[i].compare(*engines[i], *changes, brute_force_pairs(*boxes), *boxes);
     }
     progress.show(frame);
     if (frame == updates || !source.advance()) break;
     for (const auto& engine : engines) {
-      if (Status status = move_changed(*engine, source); !status.ok()) return status;
+      if (Status status = move_changed(*engine, source, shape); !status.ok()) return status;
     }
   }
   std::vector<VerifyReport> reports;

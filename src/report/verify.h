@@ -12,6 +12,7 @@
 
 #include "cellsweep/broadphase.h"
 #include "cellsweep/frame_source.h"
+#include "report/run_engine.h"
 
 namespace cellsweep::report {
 
@@ -38,9 +39,11 @@ struct VerifyReport {
   bool exact() const { return missed == 0 && invented == 0 && wrong_changes == 0; }
 };
 
-/// Runs empty engines side by side over frame 0 and up to `updates` more. Errors: those of the engines.
+/// Runs empty engines side by side over frame 0 and up to `updates` more. An engine that is given poses is
+/// judged by the boxes that it hands out. Errors: those of the engines and of insert_all().
 Result<std::vector<VerifyReport>> verify_engines(std::span<const std::unique_ptr<Broadphase>> engines,
-                                                 FrameSource& source, std::size_t updates);
+                                                 FrameSource& source, std::size_t updates,
+                                                 Shape shape = Shape::boxes);
 
 /// A sentence for a person: which frame, which pair, which boxes.
 std::string describe(const Difference& difference);

@@ -9,6 +9,7 @@ namespace cellsweep::app {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 Json map_of(const std::string& flags) {
@@ -51,6 +52,31 @@ TEST(CellCommand, RunsWithEverySetting) {
         run_command("verify --engine cell-paper,cell-brute --bodies 100 --frames 5 " + flags);
     EXPECT_EQ(result.exit_code, 0) << flags << result.output << result.errors;
   }
+}
+
+TEST(CellCommand, MakesBoxesOnTheSpusThatAreVerifiedAsTheyAre) {
+  for (const std::string flags : {"", " --dma late --spus 5"}) {
+    const CommandResult result = run_command(
+        "verify --engine cell-resident --spu-boxes --scene varied --bodies 150 --moving 1 --spinning "
+        "--frames 20" +
+        flags);
+    EXPECT_EQ(result.exit_code, 0) << result.output << result.errors;
+    EXPECT_THAT(result.output, HasSubstr("exact"));
+  }
+  const std::string local_store = "local-store --engine cell-resident --bodies 100";
+  EXPECT_THAT(run_command(local_store + " --spu-boxes").output, HasSubstr("intervals of poses"));
+  EXPECT_THAT(run_command(local_store).output, Not(HasSubstr("poses")));
+}
+
+TEST(CellCommand, RefusesPosesForEnginesThatMakeNoBoxesAndOfSourcesThatHaveNone) {
+  const CommandResult control = run_command("simulate --engine control --spu-boxes --bodies 10 --frames 1");
+  EXPECT_EQ(control.exit_code, 2);
+  EXPECT_THAT(control.errors, HasSubstr("cell-resident"));
+  const CommandResult recording = run_command("replay " CELLSWEEP_SOURCE_DIR
+                                              "/bench/scenes/bullet-towers-1024.aabbs "
+                                              "--engine cell-resident --spu-boxes");
+  EXPECT_EQ(recording.exit_code, 2);
+  EXPECT_THAT(recording.errors, HasSubstr("poses"));
 }
 
 TEST(CellCommand, RefusesSettingsThatAreNotThere) {

@@ -48,7 +48,8 @@ void add_cell_options(std::vector<ContractEngine>& engines) {
   engines.push_back({"cell-paper", {.method = 2}, "cell_paper_with_method_2"});
   engines.push_back({"cell-brute", late_five_spus, "cell_brute_with_late_dma_and_five_spus"});
   engines.push_back({"cell-resident", late, "cell_resident_with_late_dma"});
-  engines.push_back({"cell-resident", late_five_spus, "cell_resident_with_late_dma_and_five_spus"});
+  late_five_spus.spu_boxes = true;
+  engines.push_back({"cell-resident", late_five_spus, "cell_resident_with_late_dma_five_spus_and_spu_boxes"});
 }
 
 bool is_in_table(std::string_view name) {

@@ -57,5 +57,14 @@ TEST(RunEngine, KeepsSetUpPhasesOutOfTheFrameTimes) {
   EXPECT_LT(run->initial_ms, 0);  // the fake claims more set-up time than has passed
 }
 
+TEST(RunEngine, RefusesPosesOfASourceThatKnowsNone) {
+  FakeFrames frames = meeting_cubes();
+  FakeEngine engine(std::vector<std::vector<Pair>>(1));
+  const Status status =
+      run_engine(engine, frames, {.updates = 1, .report_frames = {}, .shape = Shape::poses}).status();
+  EXPECT_EQ(status.code, StatusCode::bad_input);
+  EXPECT_EQ(status.setting, "spu-boxes");
+}
+
 }  // namespace
 }  // namespace cellsweep::report

@@ -194,5 +194,28 @@ TEST(Scene, FewerPaperBodiesAreTheFirstOfMore) {
   EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));
 }
 
+TEST(SceneFrames, GiveThePosesThatTheirBoxesEnclose) {
+  auto frames = std::move(
+      *make_scene_frames({.scene = "varied", .bodies = 50, .seed = 3, .moving = 0.5, .spinning = true}));
+  const BodyPose before = frames->poses()[49];
+  std::size_t turned = 0;
+  for (int update = 0; update < 5; ++update) ASSERT_TRUE(frames->advance());
+  ASSERT_EQ(frames->poses().size(), 50U);
+  for (std::size_t i = 0; i < 50; ++i) {
+    RigidBody body;
+    const BodyPose& pose = frames->poses()[i];
+    for (int k = 0; k < 3; ++k) {
+      body.position[k] = pose.centre[k];
+      body.half_extents[k] = pose.half_extents[k];
+    }
+    body.orientation = {pose.orientation[3], pose.orientation[0], pose.orientation[1], pose.orientation[2]};
+    body.update_box();
+    EXPECT_EQ(body.box, frames->boxes()[i]) << "body " << i;
+    turned += pose.orientation[3] != 1 ? 1U : 0U;
+  }
+  EXPECT_EQ(turned, 25U);
+  EXPECT_EQ(before.orientation, BodyPose{}.orientation) << "all stand straight at frame 0";
+}
+
 }  // namespace
 }  // namespace cellsweep

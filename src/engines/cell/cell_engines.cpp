@@ -41,8 +41,8 @@ Result<std::unique_ptr<Broadphase>> make_cell_resident(const EngineOptions& opti
 Result<LocalStoreMap> cell_resident_map(const EngineOptions& options, std::uint64_t bodies) {
   auto emulation = cell::make_spu_emu_emulation(options);
   if (!emulation) return emulation.status();
-  return cell::make_local_store_map("cell-resident", (*emulation)->local_store(), cell::resident_buffers,
-                                    bodies);
+  const auto buffers = [&](std::uint64_t count) { return cell::resident_buffers(options, count); };
+  return cell::make_local_store_map("cell-resident", (*emulation)->local_store(), buffers, bodies);
 }
 
 }  // namespace cellsweep

@@ -2,6 +2,7 @@
 /// Steps C5 to C8 of cell-paper: the sort, and the IDs that follow it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 
@@ -38,6 +39,26 @@ void expect_sorts(const TrackedArray& given) {
   }
 }
 
+/// C5 as it is written down: each vector goes all the way before the next one starts.
+void insert_one_by_one(TrackedArray& array, EarlyOut early_out) {
+  const auto at = [&](std::uint32_t i) { return load(array.values.data(), array.ids.data(), i); };
+  const auto any_above = [](const Lanes& neighbour, const Lanes& inserted) {
+    return *std::max_element(neighbour.begin(), neighbour.end()) >
+           *std::min_element(inserted.begin(), inserted.end());
+  };
+  for (std::uint32_t i = 1; i < array.vectors(); ++i) {
+    Tracked inserted = at(i);
+    std::uint32_t j = i;
+    for (; j > 0; --j) {
+      Tracked neighbour = at(j - 1);
+      if (early_out == EarlyOut::yes && !any_above(values_of(neighbour), values_of(inserted))) break;
+      split(inserted, neighbour);
+      store(neighbour, array.values.data(), array.ids.data(), j);
+    }
+    store(inserted, array.values.data(), array.ids.data(), j);
+  }
+}
+
 TEST(SplitLanes, MovesIdsAsFigure4_7Does) {
   Tracked high = tracked({5, 6, 7, 8}, {10, 20, 30, 40});
   Tracked low = tracked({1, 7, 6, 4}, {50, 60, 70, 80});
@@ -54,6 +75,25 @@ TEST(SplitLanes, LeavesEqualValuesWithTheirIds) {
   split_lanes(low, high);
   EXPECT_EQ(ids_of(high), (Ids{1, 2, 3, 4}));
   EXPECT_EQ(ids_of(low), (Ids{5, 6, 7, 8}));
+}
+
+TEST(IntervectorSort, EndsToTheBitAsIfOneVectorWentAfterTheOther) {
+  std::mt19937 random(12);
+  for (std::uint32_t round = 0; round < 3000; ++round) {
+    const std::uint32_t vectors = 1 + round % 17;
+    TrackedArray array(std::vector<float>(4 * vectors));
+    const std::uint32_t values = round % 2 == 0 ? 6 : 1000;
+    const std::uint32_t disorder = round % 3 == 0 ? 0 : values;
+    for (std::uint32_t i = 0; i < array.count(); ++i)
+      array.values[i] = static_cast<float>(i + random() % (disorder + 3));
+    for (const EarlyOut early_out : {EarlyOut::yes, EarlyOut::no}) {
+      TrackedArray expected = array;
+      TrackedArray sorted = array;
+      insert_one_by_one(expected, early_out);
+      intervector_sort(sorted.values.data(), sorted.ids.data(), vectors, early_out);
+      ASSERT_TRUE(sorted.values == expected.values && sorted.ids == expected.ids) << "round " << round;
+    }
+  }
 }
 
 TEST(Split, EndsWithEveryElementOfOneVectorAboveEveryElementOfTheOther) {

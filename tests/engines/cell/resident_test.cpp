@@ -263,9 +263,11 @@ TEST(Resident, TooManyBodiesAreRefusedWithTheMapOfTheLocalStore) {
   }
 }
 
-TEST(Resident, TheLocalStoreIsFilledNoFurtherThanTheMapSays) {
-  for (const std::uint64_t kilobytes : {88U, 100U, 128U, 192U, 256U}) {
-    const EngineOptions options{.local_store_bytes = kilobytes << 10};
+class ResidentLocalStore : public testing::TestWithParam<bool> {};
+
+TEST_P(ResidentLocalStore, IsFilledNoFurtherThanTheMapSays) {
+  for (const std::uint64_t kilobytes : {96U, 100U, 128U, 192U, 256U}) {
+    const EngineOptions options{.local_store_bytes = kilobytes << 10, .spu_boxes = GetParam()};
     const auto engine = make(options);
     const auto bodies = static_cast<std::size_t>(engine->capacity().bodies);
     ASSERT_GT(bodies, 16U) << kilobytes << " KB";
@@ -279,6 +281,15 @@ TEST(Resident, TheLocalStoreIsFilledNoFurtherThanTheMapSays) {
     EXPECT_FALSE(local_store_map(kName, options, bodies + 1)->fits());
     EXPECT_LE(counter(*engine, "local store high water"), map->used() + kSanitizerBytes);
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutPoses, ResidentLocalStore, testing::Bool());
+
+TEST(Resident, PosesCostLocalStoreOnlyWhenTheyAreTaken) {
+  const auto with_boxes = make({.spu_boxes = true});
+  EXPECT_LT(with_boxes->capacity().bodies, make()->capacity().bodies);
+  EXPECT_THAT(with_boxes->capacity().reason, testing::HasSubstr("intervals of poses"));
+  EXPECT_THAT(make()->capacity().reason, testing::Not(testing::HasSubstr("poses")));
 }
 
 TEST(Resident, AThousandIdenticalBodiesSendHalfAMillionPairs) {

@@ -14,6 +14,29 @@ TEST(Shuffle, PicksTheBytesThatAnSpuWouldPickForEveryType) {
   });
 }
 
+/// The compiler sees the pattern and may choose an instruction of its own.
+template <typename V, typename Pattern>
+void check_literal(Pattern pattern) {
+  check<V, V>(
+      "spu_shuffle by a literal", [=](V a, V b) { return spu_shuffle(a, b, pattern()); },
+      [=](const Register& a, const Register& b) { return shuffled(a, b, image(pattern())); });
+  check<V>(
+      "spu_shuffle of one vector", [=](V a) { return spu_shuffle(a, a, pattern()); },
+      [=](const Register& a) { return shuffled(a, a, image(pattern())); });
+}
+
+TEST(Shuffle, PicksTheSameBytesByPatternsThatTheCompilerKnows) {
+  using P = vec_uchar16;
+  for_all_types([](auto type) {
+    using V = TYPE_OF(type);
+    check_literal<V>([] { return P{12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}; });
+    check_literal<V>([] { return P{4, 5, 6, 7, 20, 21, 22, 23, 0, 1, 2, 3, 28, 29, 30, 31}; });
+    check_literal<V>([] { return P{15, 30, 13, 28, 11, 26, 9, 24, 7, 22, 5, 20, 3, 18, 1, 16}; });
+    check_literal<V>([] { return P{3, 3, 3, 3, 0x7f, 0x60, 0x21, 0x5e, 1, 2, 3, 4, 5, 6, 7, 8}; });
+    check_literal<V>([] { return P{0, 1, 2, 3, 0x80, 0xc0, 0xe0, 0xff, 8, 9, 10, 11, 0xbf, 0xdf, 30, 31}; });
+  });
+}
+
 TEST(Shuffle, MovesWholeWordsByPatternsAsSdkSourcesWriteThem) {
   const vec_float4 a = {1, 2, 3, 4};
   const vec_float4 b = {5, 6, 7, 8};

@@ -4,7 +4,8 @@
 // Zero is any magnitude below 2^-126, of either sign; all other patterns, exponent 255 included, order by
 // sign and magnitude. Default builds compare with SSE, which under the SPU's MXCSR errs only on NaN patterns,
 // and fall back to integer keys when one is present; SPU_EMU_PRECISE builds use the keys always and need no
-// MXCSR.
+// MXCSR. A source that defines SPU_EMU_NO_NAN_PATTERNS promises that it compares none (or does not care what
+// comes of it), and is spared the look for one.
 #ifndef SPU_EMU_INTRINSICS_FLOAT_COMPARE_H
 #define SPU_EMU_INTRINSICS_FLOAT_COMPARE_H
 
@@ -32,8 +33,12 @@ SPU_EMU_INLINE vec_uint4 key_greater(vec_float4 a, vec_float4 b) {
 }
 
 #ifndef SPU_EMU_PRECISE
-SPU_EMU_INLINE bool any_nan(vec_float4 a, vec_float4 b) {
+SPU_EMU_INLINE bool any_nan([[maybe_unused]] vec_float4 a, [[maybe_unused]] vec_float4 b) {
+#ifdef SPU_EMU_NO_NAN_PATTERNS
+  return false;
+#else
   return __builtin_expect(_mm_movemask_ps(_mm_cmpunord_ps((__m128)a, (__m128)b)), 0) != 0;
+#endif
 }
 #endif
 

@@ -101,12 +101,33 @@ SPU_EMU_INLINE unsigned int negated_bytes_of_bits(int count) {
   return 0U - bytes_of_bits(count);
 }
 
+#if defined(__GNUC__) && !defined(__clang__)
+// True when the compiler knows the pattern, and no byte of it stands for a constant.
+SPU_EMU_INLINE bool is_known_move(vec_uchar16 pattern) {
+  const auto halves = (vec_ullong2)pattern;
+  return __builtin_constant_p(halves[0]) && __builtin_constant_p(halves[1]) &&
+         ((halves[0] | halves[1]) & 0x8080808080808080U) == 0;
+}
+
+// The same shuffle in host order for the compiler, which has instructions for many patterns.
+template <int Width>
+SPU_EMU_INLINE __m128i known_move(__m128i a, __m128i b, vec_uchar16 pattern) {
+  constexpr unsigned char flip = Width - 1;
+  const vec_uchar16 numbers = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  const vec_uchar16 in_host_order = __builtin_shuffle(pattern, numbers ^ flip) ^ flip;
+  return (__m128i)__builtin_shuffle((vec_uchar16)a, (vec_uchar16)b, in_host_order);
+}
+#endif
+
 }  // namespace spu_emu::detail
 
 template <typename V>
 SPU_EMU_INLINE V spu_shuffle(V a, V b, vec_uchar16 pattern) {
   namespace d = spu_emu::detail;
   constexpr int width = d::lane_bytes<V>;
+#if defined(__GNUC__) && !defined(__clang__)
+  if (d::is_known_move(pattern)) return (V)d::known_move<width>((__m128i)a, (__m128i)b, pattern);
+#endif
   // The pattern's k-th byte must sit where the result's k-th byte sits: the same lane reversal as the data.
   return (V)d::shuffle_bytes((__m128i)a, (__m128i)b, d::reverse_lanes<width>((__m128i)pattern), width - 1);
 }

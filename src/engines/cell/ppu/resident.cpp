@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "broadphase/input_checks.h"
 #include "broadphase/text.h"
 #include "engines/phase_timer.h"
 
@@ -28,18 +29,22 @@ Status no_room_status(const Capacity& capacity, std::uint64_t limit) {
 
 }  // namespace
 
-std::vector<LocalStorePart> resident_buffers(std::uint64_t bodies) {
+std::vector<LocalStorePart> resident_buffers(const EngineOptions& options, std::uint64_t bodies) {
   const std::uint64_t room = (bodies + 15) / 16 * 16;
   const std::uint64_t changes = resident_changes(bodies);
-  return {{"job", sizeof(ResidentJob)},
-          {"sorted boxes", room * 28},
-          {"reach of boxes", room},
-          {"places of bodies", room * 2},
-          {"changed boxes", changes * 32},
-          {"changed boxes before", changes * 32},
-          {"order of changed boxes", changes * 8},
-          {"events", 2 * kResidentEventChunk * 4},
-          {"gaps for alignment", 8 * kDmaAlign}};
+  std::vector<LocalStorePart> parts = {{"job", sizeof(ResidentJob)},
+                                       {"sorted boxes", room * 28},
+                                       {"reach of boxes", room},
+                                       {"places of bodies", room * 2},
+                                       {"changed boxes", changes * 32},
+                                       {"changed boxes before", changes * 32},
+                                       {"order of changed boxes", changes * 8},
+                                       {"events", 2 * kResidentEventChunk * 4},
+                                       {"gaps for alignment", 8 * kDmaAlign}};
+  if (!options.spu_boxes) return parts;
+  parts.push_back({"poses", 2 * kPosePiece * sizeof(PoseBlock) + kDmaAlign});
+  parts.push_back({"intervals of poses", 2 * kPosePiece * sizeof(IntervalBlock) + kDmaAlign});
+  return parts;
 }
 
 Result<std::unique_ptr<Broadphase>> Resident::make(const EngineOptions& options,
@@ -54,11 +59,11 @@ Result<std::unique_ptr<Broadphase>> Resident::make(const EngineOptions& options,
                   spus < kAxes ? kAxes : kMostSpus,
                   "spus"};
   }
-  Capacity capacity =
-      local_store_capacity("cell-resident", emulation->local_store(), resident_buffers, kResidentSlots,
-                           text("an event names a body in ", kResidentSlotBits, " bits"));
+  const auto buffers = [&](std::uint64_t count) { return resident_buffers(options, count); };
+  Capacity capacity = local_store_capacity("cell-resident", emulation->local_store(), buffers, kResidentSlots,
+                                           text("an event names a body in ", kResidentSlotBits, " bits"));
   if (capacity.bodies == 0) return no_room_status(capacity, emulation->local_store().limit);
-  auto spes = ResidentSpes::start(spus, capacity.bodies, std::move(emulation));
+  auto spes = ResidentSpes::start({spus, capacity.bodies, options.spu_boxes}, std::move(emulation));
   if (!spes) return spes.status();
   return std::unique_ptr<Broadphase>(new Resident(std::move(*spes), std::move(capacity)));
 }
@@ -67,20 +72,59 @@ Resident::Resident(std::unique_ptr<ResidentSpes> spes, Capacity capacity)
     : spes_(std::move(spes)), capacity_(std::move(capacity)) {}
 
 void Resident::apply_insert(std::span<const Slot> slots, std::span<const Aabb> boxes) {
-  for (std::size_t i = 0; i < slots.size(); ++i) log_.insert(slots[i], boxes[i]);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    if (slots[i] >= told_.size()) told_.resize(slots[i] + 1);
+    told_[slots[i]].reset();
+    log_.insert(slots[i], boxes[i]);
+  }
 }
 
 void Resident::apply_move(std::span<const Slot> slots, std::span<const Aabb> boxes) {
-  for (std::size_t i = 0; i < slots.size(); ++i) log_.move(slots[i], boxes[i]);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    poses_.forget(slots[i]);
+    log_.move(slots[i], boxes[i]);
+  }
 }
 
 void Resident::apply_remove(std::span<const Slot> slots) {
-  for (const Slot slot : slots) log_.remove(slot);
+  for (const Slot slot : slots) {
+    poses_.forget(slot);
+    log_.remove(slot);
+  }
+}
+
+// The boxes come with the next update.
+void Resident::apply_insert_poses(std::span<const Slot> slots, std::span<const BodyPose> poses) {
+  apply_insert(slots, std::vector<Aabb>(slots.size()));
+  apply_move_poses(slots, poses);
+}
+
+void Resident::apply_move_poses(std::span<const Slot> slots, std::span<const BodyPose> poses) {
+  for (std::size_t i = 0; i < slots.size(); ++i) poses_.set(slots[i], poses[i]);
+}
+
+Status Resident::boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const {
+  if (!takes_poses()) return Broadphase::boxes(ids, boxes);
+  if (ids.size() != boxes.size()) return length_status(ids.size(), boxes.size());
+  const auto told = [&](BodyId id) {
+    const Slot slot = bodies().find(id);
+    return slot == kNoSlot ? std::nullopt : told_[slot];
+  };
+  for (const BodyId id : ids) {
+    if (!told(id)) return unknown_body_status(id);
+  }
+  for (std::size_t i = 0; i < ids.size(); ++i) boxes[i] = *told(ids[i]);
+  return {};
 }
 
 Result<PairChanges> Resident::update() {
   if (!failure_.ok()) return failure_;
   PhaseTimer timer(statistics_.phases);
+  if (takes_poses()) {
+    failure_ = make_boxes();
+    if (!failure_.ok()) return failure_;
+    timer.lap("boxes");
+  }
   if (!log_.empty()) {
     failure_ = send(ResidentOrder::remove, log_.removed());
     if (failure_.ok()) failure_ = send(ResidentOrder::move, log_.moved());
@@ -96,6 +140,26 @@ Result<PairChanges> Resident::update() {
   return changes;
 }
 
+Status Resident::make_boxes() {
+  const std::span<const Slot> slots = poses_.pending();
+  if (slots.empty()) return {};
+  poses_.pack(spes_->poses());
+  const auto count = static_cast<std::uint32_t>(slots.size());
+  if (Status status = spes_->obey(ResidentOrder::bound, count); !status.ok()) return status;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    Aabb box;
+    for (unsigned axis = 0; axis < kAxes; ++axis) {
+      const IntervalBlock& four = spes_->intervals(axis)[i / kLanes];
+      box.min[axis] = four.low[i % kLanes];
+      box.max[axis] = four.high[i % kLanes];
+    }
+    log_.move(slots[i], box);
+  }
+  poses_sent_ += slots.size();
+  poses_.clear_pending();
+  return {};
+}
+
 // An order that is too long becomes several: each leaves pairs right, so that the last one leaves them right
 // for all.
 Status Resident::send(ResidentOrder order, std::span<const Slot> slots) {
@@ -104,6 +168,7 @@ Status Resident::send(ResidentOrder order, std::span<const Slot> slots) {
     const std::size_t now = std::min(slots.size(), records.size());
     for (std::size_t i = 0; i < now; ++i) {
       records[i] = record_of(slots[i], log_.box(slots[i]));
+      if (order != ResidentOrder::remove) told_[slots[i]] = log_.box(slots[i]);
       if (order != ResidentOrder::insert) continue;
       if (slots[i] >= names_.size()) names_.resize(slots[i] + 1);
       names_[slots[i]] = bodies().id(slots[i]);
@@ -132,6 +197,7 @@ void Resident::refresh_counters() {
   statistics_.counters = {{"programs started", spes_->starts()},
                           {"mailbox words", spes_->mailbox_words()},
                           {"bodies sent", bodies_sent_},
+                          {"poses sent", poses_sent_},
                           {"events", events_},
                           {"dma gets", counts.gets},
                           {"dma puts", counts.puts},

@@ -37,36 +37,41 @@ std::uint32_t resident_changes(std::uint64_t bodies) {
   return changes;
 }
 
-Result<std::unique_ptr<ResidentSpes>> ResidentSpes::start(unsigned spus, std::uint64_t bodies,
+Result<std::unique_ptr<ResidentSpes>> ResidentSpes::start(const ResidentSize& wanted,
                                                           std::shared_ptr<Emulation> emulation) {
-  auto group = SpeGroup::make(spus, cell_resident_spu, std::move(emulation));
+  auto group = SpeGroup::make(wanted.spus, cell_resident_spu, std::move(emulation));
   if (!group) return group.status();
-  std::unique_ptr<ResidentSpes> spes(new ResidentSpes(std::move(*group), bodies));
+  std::unique_ptr<ResidentSpes> spes(new ResidentSpes(std::move(*group), wanted));
   if (Status status = spes->listen(); !status.ok()) return status;
   if (Status status = spes->run(); !status.ok()) return status;
   return spes;
 }
 
 // The events' memory is not touched here: the system gives it when, and as far as, there are events.
-ResidentSpes::ResidentSpes(std::unique_ptr<SpeGroup> group, std::uint64_t bodies)
+ResidentSpes::ResidentSpes(std::unique_ptr<SpeGroup> group, const ResidentSize& wanted)
     : group_(std::move(group)),
       events_(spe_event_handler_create()),
-      records_(resident_changes(bodies)),
+      records_(resident_changes(wanted.bodies)),
       jobs_(size()),
       answers_(size()),
       answered_(size(), false) {
   const auto changes = static_cast<std::uint32_t>(records_.size());
-  const std::size_t words = most_events(bodies, changes, size());
+  const std::size_t words = most_events(wanted.bodies, changes, size());
+  const std::uint32_t room = round_up(static_cast<std::uint32_t>(wanted.bodies), 16);
+  if (wanted.poses) poses_.resize(room / kLanes);
+  for (auto& axis : intervals_) axis.resize(poses_.size());
   for (unsigned i = 0; i < size(); ++i) {
     void* memory = ::operator new (words * sizeof(std::uint32_t), std::align_val_t{kDmaAlign});
     buffers_.emplace_back(static_cast<std::uint32_t*>(memory));
     jobs_[i] = {i,
                 size(),
                 i % kAxes,
-                round_up(static_cast<std::uint32_t>(bodies), 16),
+                room,
                 changes,
                 wire_address(records_.data()),
                 wire_address(memory),
+                wire_address(poses_.data()),
+                wire_address(intervals_[i % kAxes].data()),
                 {}};
   }
 }

@@ -2,6 +2,7 @@
 /// The SPEs of cell-resident: started once, told by mailbox, ended when this object goes.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -17,11 +18,18 @@ namespace cellsweep::cell {
 /// How many records an order may have on SPUs with room for so many bodies: a power of two.
 std::uint32_t resident_changes(std::uint64_t bodies);
 
+/// What ResidentSpes::start() is asked for.
+struct ResidentSize {
+  unsigned spus = 0;
+  std::uint64_t bodies = 0;
+  bool poses = false;  ///< the programs make boxes, too
+};
+
 /// Programs that run from construction to destruction. One thread.
 class ResidentSpes {
  public:
-  /// Starts `spus` programs, each with room for `bodies`, and waits until they are ready. Errors: spe_failed.
-  static Result<std::unique_ptr<ResidentSpes>> start(unsigned spus, std::uint64_t bodies,
+  /// Starts the programs and waits until they are ready. Errors: spe_failed.
+  static Result<std::unique_ptr<ResidentSpes>> start(const ResidentSize& wanted,
                                                      std::shared_ptr<Emulation> emulation);
   ~ResidentSpes();
   ResidentSpes(const ResidentSpes&) = delete;
@@ -31,6 +39,11 @@ class ResidentSpes {
 
   /// The records of the next order; as many as one may have.
   std::span<ResidentRecord> records() { return records_; }
+
+  /// The poses of the next order to make boxes, and for each axis what the last one made of them; empty
+  /// without poses.
+  std::span<PoseBlock> poses() { return poses_; }
+  std::span<const IntervalBlock> intervals(unsigned axis) const { return intervals_[axis]; }
 
   /// Has all SPUs obey and waits for their answers. Errors: spe_failed; the programs have ended then.
   Status obey(ResidentOrder order, std::uint32_t records);
@@ -55,7 +68,7 @@ class ResidentSpes {
     void operator()(void* handler) const { spe_event_handler_destroy(handler); }
   };
 
-  ResidentSpes(std::unique_ptr<SpeGroup> group, std::uint64_t bodies);
+  ResidentSpes(std::unique_ptr<SpeGroup> group, const ResidentSize& wanted);
   Status listen();
   Status run();
   bool take_answers();
@@ -65,6 +78,8 @@ class ResidentSpes {
   std::unique_ptr<SpeGroup> group_;
   std::unique_ptr<void, ReleaseHandler> events_;  // tells when an answer has come
   DmaVector<ResidentRecord> records_;
+  DmaVector<PoseBlock> poses_;
+  std::array<DmaVector<IntervalBlock>, 3> intervals_;
   std::vector<std::unique_ptr<std::uint32_t[], Release>> buffers_;  // by SPU: events
   DmaVector<ResidentJob> jobs_;
   std::vector<std::uint32_t> answers_;

@@ -44,6 +44,44 @@ inline bool any_above(vec_float4 one, vec_float4 other) {
   return spu_extract(spu_gather(above), 0) != 0;
 }
 
+inline bool stays(const Tracked& inserted, const Tracked& neighbour, EarlyOut early_out) {
+  return early_out == EarlyOut::yes && !any_above(neighbour.values, inserted.values);
+}
+
+/// Takes a vector down from `place`, whose own content is of no use any more.
+void insert_from(float* values, std::uint32_t* ids, std::uint32_t place, Tracked inserted,
+                 EarlyOut early_out) {
+  for (; place > 0; --place) {
+    Tracked neighbour = load(values, ids, place - 1);
+    if (stays(inserted, neighbour, early_out)) break;
+    split_inline(inserted, neighbour);
+    store(neighbour, values, ids, place);
+  }
+  store(inserted, values, ids, place);
+}
+
+/// Inserts the vectors at `place` and above it as if one after the other. The second follows the first two
+/// places behind, as long as both go: a split is a chain of steps that each wait for the one before, and two
+/// chains hide each other's waits.
+void insert_two(float* values, std::uint32_t* ids, std::uint32_t place, EarlyOut early_out) {
+  Tracked first = load(values, ids, place);
+  Tracked second = load(values, ids, place + 1);
+  Tracked between = load(values, ids, place - 1);
+  if (stays(first, between, early_out)) return insert_from(values, ids, place + 1, second, early_out);
+  split_inline(first, between);
+  for (--place; place > 0; --place) {
+    Tracked neighbour = load(values, ids, place - 1);
+    if (stays(first, neighbour, early_out) || stays(second, between, early_out)) break;
+    split_inline(first, neighbour);
+    split_inline(second, between);
+    store(between, values, ids, place + 2);
+    between = neighbour;
+  }
+  store(between, values, ids, place + 1);
+  insert_from(values, ids, place, first, early_out);
+  insert_from(values, ids, place + 2, second, early_out);
+}
+
 }  // namespace
 
 void split_lanes(Tracked& low, Tracked& high) {
@@ -55,17 +93,9 @@ void split(Tracked& low, Tracked& high) {
 }
 
 void intervector_sort(float* values, std::uint32_t* ids, std::uint32_t vectors, EarlyOut early_out) {
-  for (std::uint32_t i = 1; i < vectors; ++i) {
-    Tracked inserted = load(values, ids, i);
-    std::uint32_t j = i;
-    for (; j > 0; --j) {
-      Tracked neighbour = load(values, ids, j - 1);
-      if (early_out == EarlyOut::yes && !any_above(neighbour.values, inserted.values)) break;
-      split_inline(inserted, neighbour);
-      store(neighbour, values, ids, j);
-    }
-    store(inserted, values, ids, j);
-  }
+  std::uint32_t i = 1;
+  for (; i + 1 < vectors; i += 2) insert_two(values, ids, i, early_out);
+  if (i < vectors) insert_from(values, ids, i, load(values, ids, i), early_out);
 }
 
 }  // namespace cellsweep::cell::paper

@@ -31,8 +31,8 @@ int main(unsigned long long, unsigned long long argp, unsigned long long) {
   spu_write_out_intr_mbox(0);
   for (;;) {
     const unsigned int word = spu_read_in_mbox();
-    const auto order = static_cast<ResidentOrder>(word & 3U);
+    const auto order = static_cast<ResidentOrder>(word & ((1U << kResidentOrderBits) - 1));
     if (order == ResidentOrder::stop) return 0;
-    spu_write_out_intr_mbox(spu.obey(order, word >> 2));
+    spu_write_out_intr_mbox(spu.obey(order, word >> kResidentOrderBits));
   }
 }

@@ -33,9 +33,14 @@ ResidentSpu::ResidentSpu(const ResidentJob& job)
       old_boxes_(allocate<BodyBox>(job.changes)),
       keys_(allocate<vec_int4>(job.changes / 4)),
       list_(allocate<vec_int4>(job.changes / 4)),
-      pieces_(allocate<unsigned int>(2 * kResidentEventChunk)) {}
+      pieces_(allocate<unsigned int>(2 * kResidentEventChunk)),
+      box_maker_(job) {}
 
 unsigned int ResidentSpu::obey(ResidentOrder order, unsigned int records) {
+  if (order == ResidentOrder::bound) {
+    box_maker_.enclose_all(records);
+    return 0;
+  }
   EventStream events(pieces_, ea_of(job_.events));
   fetch(records);
   if (order == ResidentOrder::insert) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engines/cell/resident_wire.h"
+#include "engines/cell/spu/resident/box_maker.h"
 #include "engines/cell/spu/resident/event_stream.h"
 #include "engines/cell/spu/resident/sorted_axis.h"
 
@@ -39,6 +40,7 @@ class ResidentSpu {
   vec_int4* list_;      // numbers of records, each body once, in the order of the axis
   unsigned int listed_ = 0;
   unsigned int* pieces_;
+  BoxMaker box_maker_;
 };
 
 }  // namespace cellsweep::cell

@@ -1,0 +1,71 @@
+#include "broadphase/pose_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "broadphase/input_checks.h"
+#include "broadphase/text.h"
+
+namespace cellsweep {
+namespace {
+
+constexpr double kShortest = 0x1p-10;
+constexpr double kLongest = 0x1p10;
+
+double squared_length(const BodyPose& pose) {
+  double sum = 0;
+  for (const double x : pose.orientation) sum += x * x;
+  return sum;
+}
+
+// A NaN fails every comparison.
+bool has_good_orientation(const BodyPose& pose) {
+  const double square = squared_length(pose);
+  return square >= kShortest * kShortest && square <= kLongest * kLongest;
+}
+
+bool has_good_extents(const BodyPose& pose) {
+  return std::ranges::all_of(pose.half_extents, [](float extent) { return extent >= 0; });
+}
+
+// Any rotation: an axis may be reached by the three extents together at most.
+bool is_in_reach(const BodyPose& pose) {
+  double extent = 0;
+  for (const double half : pose.half_extents) extent += half;
+  return std::ranges::all_of(
+      pose.centre, [&](double centre) { return std::fabs(centre) + extent <= double{kLargestPoseReach}; });
+}
+
+std::string describe_fault(const BodyPose& pose) {
+  if (!has_good_orientation(pose)) {
+    return text("its orientation's length is ", std::sqrt(squared_length(pose)),
+                ", which is not from 1/1024 to 1024");
+  }
+  if (!has_good_extents(pose)) return "a half extent is not 0 or more";
+  return text("centre and half extents are not finite or reach further than ", kLargestPoseReach);
+}
+
+}  // namespace
+
+BodyPose canonical(const BodyPose& pose) {
+  BodyPose result = pose;
+  for (float& x : result.centre) x = canonical(x);
+  for (float& x : result.half_extents) x = canonical(x);
+  for (float& x : result.orientation) x = canonical(x);
+  return result;
+}
+
+bool is_valid(const BodyPose& pose) {
+  return has_good_orientation(pose) && has_good_extents(pose) && is_in_reach(pose);
+}
+
+Status invalid_box_status(BodyId body, const BodyPose& pose) {
+  return {StatusCode::invalid_box,
+          text("The pose of body ", body, " is refused: ", describe_fault(pose), "."),
+          body,
+          0,
+          0,
+          ""};
+}
+
+}  // namespace cellsweep

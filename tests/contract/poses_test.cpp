@@ -1,0 +1,319 @@
+/// @file
+/// Engines that make boxes from poses (F3): the boxes enclose, the pairs are those of the boxes handed out,
+/// and neither depends on how many SPUs made them or on when transfers land. All others refuse poses.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "broadphase/brute_force.h"
+#include "cellsweep/engines.h"
+#include "contract/contract_engines.h"
+#include "contract/random.h"
+
+namespace cellsweep::contract {
+namespace {
+
+std::unique_ptr<Broadphase> make_boxes_maker(EngineOptions options = {}) {
+  options.spu_boxes = true;
+  auto engine = make_engine("cell-resident", options);
+  EXPECT_TRUE(engine.ok()) << engine.status().message;
+  return std::move(*engine);
+}
+
+bool has_cell_engines() {
+  return std::ranges::any_of(engine_table(),
+                             [](const EngineInfo& info) { return info.name == "cell-resident"; });
+}
+
+BodyPose random_pose(Random& random) {
+  BodyPose pose;
+  for (int k = 0; k < 3; ++k) {
+    pose.centre[k] = random.between(-6, 6);
+    pose.half_extents[k] = random.one_in(8) ? 0 : random.between(0.01F, random.one_in(10) ? 3.0F : 0.7F);
+  }
+  if (random.one_in(4)) return pose;
+  for (float& x : pose.orientation) x = random.between(-1, 1);
+  pose.orientation[3] += 1.5F;
+  return pose;
+}
+
+/// The interval that a turned box covers on an axis: its eight corners, each turned in doubles.
+void widen_to_corners(const BodyPose& pose, int axis, double& low, double& high) {
+  const auto [x, y, z, w] = pose.orientation;
+  const double q[4] = {x, y, z, w};
+  const double n = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  for (int corner = 0; corner < 8; ++corner) {
+    double e[3];
+    for (int k = 0; k < 3; ++k) e[k] = (corner >> k & 1) != 0 ? pose.half_extents[k] : -pose.half_extents[k];
+    // v + 2 (w (u × v) + u × (u × v)) / |q|²
+    const double c[3] = {q[1] * e[2] - q[2] * e[1], q[2] * e[0] - q[0] * e[2], q[0] * e[1] - q[1] * e[0]};
+    const double d[3] = {q[1] * c[2] - q[2] * c[1], q[2] * c[0] - q[0] * c[2], q[0] * c[1] - q[1] * c[0]};
+    const double turned = pose.centre[axis] + e[axis] + 2 * (q[3] * c[axis] + d[axis]) / n;
+    low = std::min(low, turned);
+    high = std::max(high, turned);
+  }
+}
+
+testing::AssertionResult encloses(const Aabb& box, const BodyPose& pose) {
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    widen_to_corners(pose, axis, low, high);
+    const double rounding = 1e-14 * (1 + std::fabs(low) + std::fabs(high));
+    const double slack = 3e-6 * (1 + std::fabs(low) + std::fabs(high));
+    if (box.min[axis] > low + rounding || box.max[axis] < high - rounding)
+      return testing::AssertionFailure() << "axis " << axis << ": " << box.min[axis] << " to "
+                                         << box.max[axis] << " does not enclose " << low << " to " << high;
+    if (box.min[axis] < low - slack || box.max[axis] > high + slack)
+      return testing::AssertionFailure() << "axis " << axis << " is too wide";
+  }
+  return testing::AssertionSuccess();
+}
+
+/// What an engine should know of a body: its pose, or the box its caller gave.
+struct Known {
+  std::optional<BodyPose> pose;
+  Aabb box;
+};
+
+/// Everything an engine said in the course of a random life.
+struct Said {
+  std::vector<Aabb> boxes;
+  std::vector<Pair> began;
+  std::vector<Pair> ended;
+
+  friend bool operator==(const Said&, const Said&) = default;
+};
+
+/// Random calls with poses and boxes, the engine's answers compared after each update.
+class PoseCaller {
+ public:
+  PoseCaller(const EngineOptions& options, std::uint64_t seed)
+      : random_(seed), engine_(make_boxes_maker(options)) {}
+
+  void step(std::size_t most) {
+    for (BodyId id = 0; id < most; ++id) {
+      if (bodies_.count(id) == 0) {
+        if (random_.one_in(3)) insert(id);
+      } else if (random_.one_in(12)) {
+        ASSERT_TRUE(engine_->remove(id).ok());
+        bodies_.erase(id);
+        // The slot is taken at once by a body of which the engine knows no pose.
+        if (random_.one_in(2)) insert(id + 1000);
+      } else if (random_.one_in(3)) {
+        move(id);
+      }
+    }
+    update();
+  }
+
+  const Said& said() const { return said_; }
+
+ private:
+  Aabb random_box() {
+    Aabb box;
+    for (int k = 0; k < 3; ++k) {
+      box.min[k] = random_.between(-6, 6);
+      box.max[k] = box.min[k] + random_.between(0, 2);
+    }
+    return box;
+  }
+
+  void insert(BodyId id) {
+    if (bodies_.count(id) != 0) return;
+    Known body{random_pose(random_), random_box()};
+    if (random_.one_in(5)) body.pose.reset();
+    const Status status = body.pose ? engine_->insert_poses(std::span(&id, 1), std::span(&*body.pose, 1))
+                                    : engine_->insert(id, body.box);
+    ASSERT_TRUE(status.ok()) << status.message;
+    bodies_[id] = body;
+  }
+
+  void move(BodyId id) {
+    Known& body = bodies_[id];
+    if (random_.one_in(5)) {
+      body = {std::nullopt, random_box()};
+      ASSERT_TRUE(engine_->move(id, body.box).ok());
+      if (random_.one_in(2)) return;
+    }
+    body.pose = random_.one_in(4) && body.pose ? *body.pose : random_pose(random_);
+    ASSERT_TRUE(engine_->move_poses(std::span(&id, 1), std::span(&*body.pose, 1)).ok());
+  }
+
+  void update() {
+    const auto changes = engine_->update();
+    ASSERT_TRUE(changes.ok()) << changes.status().message;
+    std::vector<BodyId> ids;
+    for (const auto& [id, body] : bodies_) ids.push_back(id);
+    std::vector<Aabb> boxes(ids.size());
+    ASSERT_TRUE(engine_->boxes(ids, boxes).ok());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const Known& body = bodies_[ids[i]];
+      const bool as_given = !body.pose && boxes[i] == body.box;
+      ASSERT_TRUE(body.pose ? encloses(boxes[i], *body.pose) : testing::AssertionResult(as_given))
+          << "body " << ids[i];
+    }
+    std::vector<Pair> pairs(engine_->pairs().begin(), engine_->pairs().end());
+    std::ranges::sort(pairs);
+    ASSERT_EQ(pairs, brute_force_pairs(ids, boxes));
+    said_.boxes.insert(said_.boxes.end(), boxes.begin(), boxes.end());
+    said_.began.insert(said_.began.end(), changes->began.begin(), changes->began.end());
+    said_.ended.insert(said_.ended.end(), changes->ended.begin(), changes->ended.end());
+  }
+
+  Random random_;
+  std::unique_ptr<Broadphase> engine_;
+  std::map<BodyId, Known> bodies_;
+  Said said_;
+};
+
+Said life(const EngineOptions& options, std::uint64_t seed, std::size_t most = 90) {
+  PoseCaller caller(options, seed);
+  for (int step = 0; step < 10 && !testing::Test::HasFatalFailure(); ++step) caller.step(most);
+  return caller.said();
+}
+
+class PoseContract : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_cell_engines()) GTEST_SKIP() << "no engine takes poses";
+  }
+};
+
+TEST_F(PoseContract, BoxesEncloseAndPairsAreThoseOfTheBoxesHandedOut) {
+  for (std::uint64_t seed = 1; seed <= 20 && !HasFatalFailure(); ++seed) life({}, seed);
+}
+
+TEST_F(PoseContract, NeitherSpusNorTransferModesChangeABitOfABoxOrTheOrderOfAList) {
+  const Said reference = life({}, 77, 300);
+  ASSERT_FALSE(reference.began.empty());
+  for (const unsigned spus : {3U, 4U, 5U, 7U, 16U}) {
+    EXPECT_TRUE(reference == life({.spus = spus}, 77, 300)) << spus << " SPUs";
+    EXPECT_TRUE(reference == life({.spus = spus, .dma = DmaMode::late, .dma_seed = spus}, 77, 300))
+        << spus << " SPUs, late DMA";
+  }
+  EXPECT_TRUE(reference == life({.local_store_bytes = 0, .dma = DmaMode::unchecked}, 77, 300));
+}
+
+TEST_F(PoseContract, AFullEngineMakesAllBoxesInOneUpdate) {
+  for (const DmaMode mode : {DmaMode::eager, DmaMode::late}) {
+    const auto engine = make_boxes_maker({.local_store_bytes = 128 << 10, .dma = mode});
+    Random random(3);
+    const auto count = static_cast<std::size_t>(engine->capacity().bodies);
+    std::vector<BodyId> ids;
+    std::vector<BodyPose> poses;
+    for (std::size_t i = 0; i < count; ++i) {
+      ids.push_back(static_cast<BodyId>(i));
+      poses.push_back(random_pose(random));
+      poses.back().centre[0] += static_cast<float>(i);
+    }
+    ASSERT_TRUE(engine->insert_poses(ids, poses).ok());
+    ASSERT_TRUE(engine->update().ok());
+    std::vector<Aabb> boxes(count);
+    ASSERT_TRUE(engine->boxes(ids, boxes).ok());
+    for (std::size_t i = 0; i < count; ++i) ASSERT_TRUE(encloses(boxes[i], poses[i])) << "body " << i;
+  }
+}
+
+TEST_F(PoseContract, ABodyThatIsNotTurnedHasCentrePlusAndMinusItsHalfExtents) {
+  const auto engine = make_boxes_maker();
+  const BodyId id = 4;
+  const BodyPose pose{{1.5F, -2, 0.25F}, {0.5F, 2, 1e-39F}, {0, 0, 0, 1}};
+  ASSERT_TRUE(engine->insert_poses(std::span(&id, 1), std::span(&pose, 1)).ok());
+  ASSERT_TRUE(engine->update().ok());
+  Aabb box;
+  ASSERT_TRUE(engine->boxes(std::span(&id, 1), std::span(&box, 1)).ok());
+  EXPECT_EQ(box, (Aabb{{1, -4, 0.25F}, {2, 0, 0.25F}}));
+  EXPECT_FALSE(std::signbit(box.max[1]));
+}
+
+TEST_F(PoseContract, PosesThatAreNoneAreRefusedAndChangeNothing) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  const BodyPose good;
+  std::vector<BodyPose> bad(9, good);
+  bad[0].centre[1] = nan;
+  bad[1].centre[2] = infinity;
+  bad[2].half_extents[0] = -1;
+  bad[3].half_extents[1] = nan;
+  bad[4].orientation = {0, 0, 0, 0};
+  bad[5].orientation[0] = nan;
+  bad[6].orientation[3] = 1025;
+  bad[7].orientation[3] = 1e-4F;
+  bad[8].half_extents[2] = std::nextafter(kLargestPoseReach, infinity);
+  const auto engine = make_boxes_maker();
+  const std::vector<BodyId> ids = {1, 2};
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    const Status status = engine->insert_poses(ids, std::vector<BodyPose>{good, bad[i]});
+    EXPECT_EQ(status.code, StatusCode::invalid_box) << "pose " << i;
+    EXPECT_EQ(status.body, BodyId{2}) << status.message;
+  }
+  EXPECT_EQ(engine->size(), 0U);
+  ASSERT_TRUE(engine->insert_poses(ids, std::vector<BodyPose>(2)).ok());
+  EXPECT_EQ(engine->move_poses(ids, std::vector<BodyPose>{good, bad[0]}).code, StatusCode::invalid_box);
+  EXPECT_EQ(engine->move_poses(ids, std::vector<BodyPose>(1)).code, StatusCode::bad_input);
+  EXPECT_EQ(engine->move_poses(std::vector<BodyId>{1, 1}, std::vector<BodyPose>(2)).code,
+            StatusCode::duplicate_body);
+  EXPECT_EQ(engine->move_poses(std::vector<BodyId>{3}, std::vector<BodyPose>(1)).code,
+            StatusCode::unknown_body);
+  EXPECT_EQ(engine->insert_poses(ids, std::vector<BodyPose>(2)).code, StatusCode::duplicate_body);
+  std::vector<Aabb> boxes(2);
+  EXPECT_EQ(engine->boxes(ids, boxes).code, StatusCode::unknown_body) << "no update has seen them";
+  ASSERT_TRUE(engine->update().ok());
+  EXPECT_TRUE(engine->boxes(ids, boxes).ok());
+  EXPECT_EQ(engine->boxes(ids, std::span(boxes).first(1)).code, StatusCode::bad_input);
+}
+
+TEST_F(PoseContract, TheLargestPosesThatAreTakenGiveFiniteBoxes) {
+  const auto engine = make_boxes_maker();
+  BodyPose pose;
+  pose.half_extents = {kLargestPoseReach / 4, kLargestPoseReach / 4, kLargestPoseReach / 4};
+  pose.centre = {kLargestPoseReach / 4, -kLargestPoseReach / 4, 0};
+  for (float& x : pose.orientation) x = 500;
+  const BodyId id = 0;
+  ASSERT_TRUE(engine->insert_poses(std::span(&id, 1), std::span(&pose, 1)).ok());
+  ASSERT_TRUE(engine->update().ok());
+  Aabb box;
+  ASSERT_TRUE(engine->boxes(std::span(&id, 1), std::span(&box, 1)).ok());
+  for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isfinite(box.min[k]) && std::isfinite(box.max[k]));
+}
+
+TEST_F(PoseContract, NoSpuHearsOfPosesThatAreAsTheyWere) {
+  const auto engine = make_boxes_maker();
+  const std::vector<BodyId> ids = {1, 2, 3};
+  const auto words = [&] {
+    const auto& counters = engine->statistics().counters;
+    return std::ranges::find(counters, "mailbox words", &Counter::name)->value;
+  };
+  ASSERT_TRUE(engine->insert_poses(ids, std::vector<BodyPose>(3)).ok());
+  ASSERT_TRUE(engine->update().ok());
+  const std::uint64_t before = words();
+  ASSERT_TRUE(engine->move_poses(ids, std::vector<BodyPose>(3)).ok());
+  ASSERT_TRUE(engine->update().ok());
+  EXPECT_EQ(words(), before);
+}
+
+TEST(PoseRefusals, EnginesWithoutTheOptionRefusePosesAndHandOutNoBoxes) {
+  for (const ContractEngine& given : contract_engines()) {
+    if (given.options.spu_boxes && given.name == "cell-resident") continue;
+    const auto engine = make(given);
+    const BodyId id = 1;
+    const BodyPose pose;
+    Aabb box;
+    ASSERT_TRUE(engine->insert(id, box).ok());
+    EXPECT_EQ(engine->insert_poses(std::span(&id, 1), std::span(&pose, 1)).code, StatusCode::bad_option);
+    EXPECT_EQ(engine->move_poses(std::span(&id, 1), std::span(&pose, 1)).code, StatusCode::bad_option);
+    const Status status = engine->boxes(std::span(&id, 1), std::span(&box, 1));
+    EXPECT_EQ(status.code, StatusCode::bad_option) << given.label;
+    EXPECT_EQ(status.setting, "spu_boxes");
+  }
+}
+
+}  // namespace
+}  // namespace cellsweep::contract

@@ -1,0 +1,76 @@
+/// @file
+/// The Cell engines on recorded scenes: the pairs that all-against-all finds, by count and hash.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "cellsweep/engines.h"
+#include "cellsweep/recording.h"
+#include "report/run_engine.h"
+
+namespace cellsweep {
+namespace {
+
+struct Known {
+  std::size_t frame;
+  std::size_t pairs;
+  std::string hash;
+};
+
+struct Recorded {
+  std::string name;
+  std::size_t updates;
+  std::vector<Known> frames;
+};
+
+void PrintTo(const Recorded& recorded, std::ostream* out) {
+  *out << recorded.name;
+}
+
+const std::vector<Recorded> kRecordings = {
+    {"pile",
+     30,
+     {{0, 5577, "875cb2208a071dd3"}, {15, 4914, "add61a14b776a039"}, {30, 3901, "c05c583740ead6b9"}}},
+    {"towers",
+     5,
+     {{0, 1059, "1bd83799cf2eaf2b"},
+      {1, 1146, "d5b11c5abf176677"},
+      {2, 1344, "72b1389cea3216e2"},
+      {3, 1665, "df40eae70b24e494"},
+      {4, 2119, "c62b8fc54f70b441"},
+      {5, 2369, "d3d6e065474af82e"}}}};
+
+using RecordingOfEngine = testing::TestWithParam<std::tuple<std::string, Recorded>>;
+
+TEST_P(RecordingOfEngine, GivesTheKnownPairs) {
+  const auto& [name, recorded] = GetParam();
+  const std::string path = CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-" + recorded.name + "-1024.aabbs";
+  auto recording = read_recording(path);
+  ASSERT_TRUE(recording.ok()) << recording.status().message;
+  const auto source = make_recording_frames(std::move(*recording));
+  auto engine = make_engine(name);
+  ASSERT_TRUE(engine.ok()) << engine.status().message;
+  report::RunSettings settings;
+  settings.updates = recorded.updates;
+  for (const Known& known : recorded.frames) settings.report_frames.push_back(known.frame);
+  const auto run = report::run_engine(**engine, *source, settings);
+  ASSERT_TRUE(run.ok()) << run.status().message;
+  for (std::size_t i = 0; i < recorded.frames.size(); ++i) {
+    EXPECT_EQ(run->frames[i].pairs, recorded.frames[i].pairs) << "frame " << recorded.frames[i].frame;
+    EXPECT_EQ(hash_text(run->frames[i].hash), recorded.frames[i].hash)
+        << "frame " << recorded.frames[i].frame;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cell, RecordingOfEngine,
+                         testing::Combine(testing::Values("cell-paper", "cell-brute", "cell-resident"),
+                                          testing::ValuesIn(kRecordings)),
+                         [](const auto& test) {
+                           return std::get<0>(test.param).substr(5) + "_" + std::get<1>(test.param).name;
+                         });
+
+}  // namespace
+}  // namespace cellsweep
