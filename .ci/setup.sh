@@ -4,6 +4,7 @@
 packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev nlohmann-json3-dev libgtest-dev
   libgmock-dev libbenchmark-dev)
 packages_for_clang=(clang libclang-rt-14-dev)
+packages_for_blade=(g++-powerpc64-linux-gnu qemu-user googletest)
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -36,11 +37,17 @@ install_packages() {
     DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
 }
 
+# The file that says that the SPU compiler of spu_emu/toolchain/build is complete.
+spu_compiler() {
+  echo "${SPU_EMU_TOOLCHAIN_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/cellsweep/spu-elf}/complete"
+}
+
 # build_preset PRESET [TARGET...]: configures once, then builds; says nothing when there is nothing to do.
 build_preset() {
   local preset=$1
   shift
-  if [ ! -f "build/$preset/build.ninja" ]; then
+  # Again when the SPU compiler came later: SPU programs are then built twice.
+  if [ ! -f "build/$preset/build.ninja" ] || [ "$(spu_compiler)" -nt "build/$preset/build.ninja" ]; then
     cmake --preset "$preset" >&2 || return 1
   fi
   local quiet=(--quiet)

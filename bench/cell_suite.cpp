@@ -28,6 +28,7 @@ Setting with(std::string name, Value EngineOptions::*member, Value value) {
 std::vector<Setting> settings_of(std::string_view engine) {
   std::vector<Setting> settings = {
       {"default", {}},
+      with("isa", &EngineOptions::spe_engine, SpeEngine::isa),
       with("dma_late", &EngineOptions::dma, DmaMode::late),
       with("dma_unchecked", &EngineOptions::dma, DmaMode::unchecked),
       with("local_store_128K", &EngineOptions::local_store_bytes, std::uint64_t{128} << 10),

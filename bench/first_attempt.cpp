@@ -11,7 +11,7 @@ using cell::kMaximumFlag;
 using cell::kOverlapFlag;
 
 Result<std::unique_ptr<FirstAttempt>> FirstAttempt::make(std::size_t bodies) {
-  auto emulation = cell::make_spu_emu_emulation({});
+  auto emulation = cell::make_emulation({});
   if (!emulation) return emulation.status();
   auto spes = cell::SpeGroup::make(3, cell_first_attempt_spu, std::move(*emulation));
   if (!spes) return spes.status();

@@ -19,6 +19,12 @@ enum class DmaMode {
   unchecked  ///< when the command is issued; no rules, to measure what they cost
 };
 
+/// What executes the programs of a Cell engine's SPEs.
+enum class SpeEngine {
+  host,  ///< the program compiled for this machine, a thread for each SPE
+  isa    ///< the program compiled for a real SPU, instruction by instruction; needs a build with the SPU compiler
+};
+
 /// Settings of all engines; an engine reads those that it names and ignores the others.
 struct EngineOptions {
   /// Worker threads of engines that have them; 0 lets the engine choose. `control` has one thread, as in the
@@ -45,6 +51,9 @@ struct EngineOptions {
   /// Cell engines: the local store of one SPE that code, data, heap and stack must fit into, a multiple of
   /// 128; 0 switches the limit off.
   std::uint64_t local_store_bytes = std::uint64_t{256} << 10;
+
+  /// Cell engines: what executes the SPU programs. `isa` has 256 KB of local store at most.
+  SpeEngine spe_engine = SpeEngine::host;
 
   /// Cell engines: when DMA transfers move their bytes.
   DmaMode dma = DmaMode::eager;

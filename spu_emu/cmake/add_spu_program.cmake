@@ -1,14 +1,17 @@
 # add_spu_program(name sources...
 #   [INCLUDE_DIRECTORIES dirs...] [COMPILE_DEFINITIONS definitions...] [COMPILE_OPTIONS options...]
-#   [HOST_ONLY] [CODE_RESERVE bytes] [DATA_RESERVE bytes] [STACK_RESERVE bytes])
+#   [ELF_OPTIONS options...] [HOST_ONLY] [CODE_RESERVE bytes] [DATA_RESERVE bytes] [STACK_RESERVE bytes])
 #
 # Builds SPU sources (C++17 against the SDK's headers) for the host engine of spu_emu and makes the static library
 # `name`, which defines `spe_program_handle_t name` with the program's image in it. Link it into the program that
 # calls spe_program_load(context, &name), which declares `extern "C" spe_program_handle_t name;`.
 #
+# For a processor that the host engine is not for, `name` is the handle of the SPU ELF, and there is no other.
+#
 # Where the real compiler is (SPU_EMU_TOOLCHAIN_DIR), the same sources with the same options become NAME.elf, too; then
 # the library also defines `spe_program_handle_t name_elf`, users of the library are compiled with SPU_EMU_HAS_ELF=1,
-# and spu_emu_has_elf(name variable) is true. HOST_ONLY is for sources that are not for a real SPU. The reserves are
+# and spu_emu_has_elf(name variable) is true. ELF_OPTIONS are for the real compiler only, HOST_ONLY is for sources that
+# are not for a real SPU. The reserves are
 # those that the host engine is told to count for the program, where they are not its defaults.
 include(${CMAKE_CURRENT_LIST_DIR}/spu_elf.cmake)
 
@@ -25,20 +28,13 @@ function(spu_emu_add_image name handle file cause)
     COMPILE_DEFINITIONS "SPU_EMU_PROGRAM=${handle};SPU_EMU_IMAGE=\"${file}\"")
 endfunction()
 
-function(add_spu_program name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "HOST_ONLY" "CODE_RESERVE;DATA_RESERVE;STACK_RESERVE"
-    "INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS;COMPILE_OPTIONS")
+# The module by which the host engine runs a program, and the handle `name` of it.
+function(spu_emu_add_module name)
   set(module ${name}_spu_module)
   set(program ${name}_spu_objects)
 
-  # What both compilers are told.
-  add_library(${name}_spu_settings INTERFACE)
-  target_compile_definitions(${name}_spu_settings INTERFACE ${arg_COMPILE_DEFINITIONS})
-  target_include_directories(${name}_spu_settings INTERFACE ${arg_INCLUDE_DIRECTORIES})
-  target_compile_options(${name}_spu_settings INTERFACE ${arg_COMPILE_OPTIONS})
-
   # The program's own sources: main is renamed, for the module has no start-up code of its own.
-  add_library(${program} OBJECT ${arg_UNPARSED_ARGUMENTS})
+  add_library(${program} OBJECT ${ARGN})
   target_compile_definitions(${program} PRIVATE main=spu_emu_program_main __SPU__=1)
   target_link_libraries(${program} PRIVATE ${name}_spu_settings)
 
@@ -59,13 +55,30 @@ function(add_spu_program name)
     -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
     -Wl,--wrap=memalign,--wrap=aligned_alloc,--wrap=posix_memalign
     -Wl,--wrap=exit,--wrap=_exit,--wrap=atexit,--wrap=__cxa_atexit)
+  spu_emu_add_image(${name} ${name} $<TARGET_FILE:${module}> ${module})
+endfunction()
+
+function(add_spu_program name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "HOST_ONLY" "CODE_RESERVE;DATA_RESERVE;STACK_RESERVE"
+    "INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS;COMPILE_OPTIONS;ELF_OPTIONS")
+  # What both compilers are told.
+  add_library(${name}_spu_settings INTERFACE)
+  target_compile_definitions(${name}_spu_settings INTERFACE ${arg_COMPILE_DEFINITIONS})
+  target_include_directories(${name}_spu_settings INTERFACE ${arg_INCLUDE_DIRECTORIES})
+  target_compile_options(${name}_spu_settings INTERFACE ${arg_COMPILE_OPTIONS})
+  set_property(TARGET ${name}_spu_settings PROPERTY SPU_EMU_ELF_OPTIONS ${arg_ELF_OPTIONS})
 
   add_library(${name} STATIC)
   target_compile_features(${name} PRIVATE cxx_std_17)
   target_link_libraries(${name} PRIVATE spu_emu::headers)
-  spu_emu_add_image(${name} ${name} $<TARGET_FILE:${module}> ${module})
+  if(SPU_EMU_HOST_ENGINE)
+    spu_emu_add_module(${name} ${arg_UNPARSED_ARGUMENTS})
+  endif()
 
   spu_emu_find_toolchain(toolchain)
+  if(NOT toolchain AND NOT SPU_EMU_HOST_ENGINE)
+    message(FATAL_ERROR "${name}: for this processor SPU programs need the SPU compiler (spu_emu/toolchain/build)")
+  endif()
   if(toolchain AND NOT arg_HOST_ONLY)
     spu_emu_add_elf(${name} ${toolchain} ${arg_UNPARSED_ARGUMENTS})
     if(SPU_EMU_TESTS)

@@ -46,6 +46,7 @@ function(spu_emu_compile_elf name toolchain out)
   set(flags -std=gnu++17 -O2 -fno-exceptions -fno-rtti -fno-strict-aliasing -ffp-contract=off -ffunction-sections
     -fdata-sections $<$<NOT:$<CONFIG:Debug>>:-DNDEBUG>)
   set(options $<TARGET_PROPERTY:${name}_spu_settings,INTERFACE_COMPILE_OPTIONS>)
+  set(elf_options $<TARGET_PROPERTY:${name}_spu_settings,SPU_EMU_ELF_OPTIONS>)
   set(definitions $<TARGET_PROPERTY:${name}_spu_settings,INTERFACE_COMPILE_DEFINITIONS>)
   set(includes $<TARGET_PROPERTY:${name}_spu_settings,INTERFACE_INCLUDE_DIRECTORIES>)
   set(objects "")
@@ -54,7 +55,7 @@ function(spu_emu_compile_elf name toolchain out)
     set(object ${name}.elf.dir/${object}.o)
     cmake_path(ABSOLUTE_PATH source)
     add_custom_command(OUTPUT ${object} DEPFILE ${object}.d DEPENDS ${source} ${toolchain}/complete
-      COMMAND ${toolchain}/bin/spu-elf-g++ ${flags} "${options}"
+      COMMAND ${toolchain}/bin/spu-elf-g++ ${flags} "${options}" "${elf_options}"
         "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>" "$<$<BOOL:${includes}>:-I$<JOIN:${includes},;-I>>" -MMD -MF ${object}.d -MT ${object} -c ${source}
         -o ${object}
       WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} COMMENT "Building SPU object ${object}"
@@ -102,7 +103,11 @@ function(spu_emu_add_elf name toolchain)
   add_dependencies(${name} ${name}_spu_elf)
   # When the toolchain goes away, so do the rules that need it.
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${toolchain}/complete)
-  spu_emu_add_image(${name} ${name}_elf ${elf} ${elf})
-  target_compile_definitions(${name} INTERFACE SPU_EMU_HAS_ELF=1)
+  if(SPU_EMU_HOST_ENGINE)
+    spu_emu_add_image(${name} ${name}_elf ${elf} ${elf})
+    target_compile_definitions(${name} INTERFACE SPU_EMU_HAS_ELF=1)
+  else()
+    spu_emu_add_image(${name} ${name} ${elf} ${elf})
+  endif()
   spu_emu_add_to_sizes(${name} ${toolchain})
 endfunction()

@@ -4,6 +4,8 @@
 
 #include <cstring>
 
+#include "libspe2/program_image.h"
+
 namespace spu_emu {
 
 namespace {
@@ -13,10 +15,6 @@ std::optional<Struct> read_at(std::span<const std::byte> file, std::uint64_t off
   Struct value;
   std::memcpy(&value, file.data() + offset, sizeof value);
   return value;
-}
-
-std::uint16_t big_endian_half(const unsigned char* bytes) {
-  return static_cast<std::uint16_t>((bytes[0] << 8U) | bytes[1]);
 }
 
 /// Sets the size of the module's constructor array to 0 in the dynamic section and remembers where it was.
@@ -34,27 +32,6 @@ bool take_constructors(PreparedModule& module, const Elf64_Phdr& dynamic) {
   return true;
 }
 }  // namespace
-
-ImageKind image_kind(const void* image) {
-  const auto* ident = static_cast<const unsigned char*>(image);
-  if (std::memcmp(ident, ELFMAG, SELFMAG) != 0) return ImageKind::none;
-  const unsigned char* machine = ident + offsetof(Elf32_Ehdr, e_machine);
-  constexpr std::uint16_t kSpu = 23;
-  if (ident[EI_CLASS] == ELFCLASS32 && ident[EI_DATA] == ELFDATA2MSB && big_endian_half(machine) == kSpu) {
-    return ImageKind::spu_elf;
-  }
-  Elf64_Ehdr header;
-  std::memcpy(&header, image, sizeof header);
-  const bool host = ident[EI_CLASS] == ELFCLASS64 && ident[EI_DATA] == ELFDATA2LSB &&
-                    header.e_machine == EM_X86_64 && header.e_type == ET_DYN;
-  return host ? ImageKind::host_module : ImageKind::none;
-}
-
-std::size_t image_size(const void* image) {
-  Elf64_Ehdr header;
-  std::memcpy(&header, image, sizeof header);
-  return header.e_shoff + std::size_t{header.e_shnum} * header.e_shentsize;
-}
 
 std::optional<PreparedModule> prepare_module(std::span<const std::byte> file) {
   const auto header = read_at<Elf64_Ehdr>(file, 0);

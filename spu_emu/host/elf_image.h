@@ -1,4 +1,4 @@
-// Reads what the loader must know of a program image, trusting none of its numbers.
+// Reads what the loader must know of a program module, trusting none of its numbers.
 #ifndef SPU_EMU_HOST_ELF_IMAGE_H
 #define SPU_EMU_HOST_ELF_IMAGE_H
 
@@ -9,14 +9,6 @@
 #include <vector>
 
 namespace spu_emu {
-
-enum class ImageKind { none, host_module, spu_elf };
-
-/// What the first 64 bytes at `image` say it is; the caller vouches for those bytes.
-ImageKind image_kind(const void* image);
-
-/// Bytes of the ELF file at `image`: the end of its section header table, which linkers put last.
-std::size_t image_size(const void* image);
 
 /// A module's file with its constructors taken out of the dynamic linker's hands: `init_array` says where
 /// they are (addresses relative to the load address).

@@ -6,8 +6,6 @@
 namespace spu_emu {
 
 namespace {
-constexpr std::uint32_t kUnlimited = 1U << 30U;
-
 std::uintptr_t number_of(const volatile void* pointer) {
   return reinterpret_cast<std::uintptr_t>(pointer);
 }
@@ -18,9 +16,9 @@ std::uint64_t congruent(std::uint64_t ls, const std::byte* host) {
 }
 }  // namespace
 
-HostLocalStore::HostLocalStore(std::uint32_t limit, std::uint32_t code_reserve, std::uint32_t stack_reserve)
+HostLocalStore::HostLocalStore(Arena& arena, std::uint32_t code_reserve, std::uint32_t stack_reserve)
     : LocalStoreView(WordOrder::same),
-      arena_(limit == 0 ? kUnlimited : limit),
+      arena_(arena),
       code_reserve_(code_reserve),
       stack_reserve_(stack_reserve) {
   clear();

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "host/arena.h"
 #include "host/heap.h"
+#include "libspe2/arena.h"
 #include "mfc/local_store.h"
 
 namespace spu_emu {
@@ -24,8 +24,8 @@ struct ModuleSegment {
 /// reserve.
 class HostLocalStore final : public LocalStoreView {
  public:
-  /// `limit`, `code_reserve`, `stack_reserve` in bytes; see EmulationSettings.
-  HostLocalStore(std::uint32_t limit, std::uint32_t code_reserve, std::uint32_t stack_reserve);
+  /// `code_reserve`, `stack_reserve` in bytes; see EmulationSettings. `arena` outlives the store.
+  HostLocalStore(Arena& arena, std::uint32_t code_reserve, std::uint32_t stack_reserve);
 
   /// Gives a program's segments their addresses and all the rest to the heap. False when data does not fit.
   bool place(const std::vector<ModuleSegment>& segments);
@@ -67,7 +67,7 @@ class HostLocalStore final : public LocalStoreView {
   std::uint32_t fixed_bytes() const { return code_reserve_ + data_bytes_ + stack_reserve_; }
   const Window* window_of(std::uint32_t ls) const;
 
-  Arena arena_;
+  Arena& arena_;
   Heap heap_;
   std::uint32_t code_reserve_;
   std::uint32_t stack_reserve_;

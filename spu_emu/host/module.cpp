@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "host/elf_image.h"
+#include "libspe2/program_image.h"
 #include "mfc/format.h"
 
 namespace spu_emu {

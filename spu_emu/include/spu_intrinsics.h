@@ -16,7 +16,7 @@
 #ifndef SPU_EMU_SPU_INTRINSICS_H
 #define SPU_EMU_SPU_INTRINSICS_H
 
-#ifndef __SSE4_1__
+#if defined(__x86_64__) && !defined(__SSE4_1__)
 #error "spu_intrinsics.h needs SSE4.1: compile with -msse4.1 or for a newer machine"
 #endif
 

@@ -1,4 +1,5 @@
-// The PPU's AltiVec functions (vec_) for SPU programs, with AltiVec's semantics and SPU arithmetic.
+// The PPU's AltiVec functions (vec_) for SPU programs, bit for bit as the SDK's header computes them, also
+// where AltiVec has another result.
 //
 // Elements and patterns as in spu_intrinsics.h. Everything is a function, also what the SDK defined as a
 // macro.

@@ -29,7 +29,7 @@ CommandQueue::CommandQueue(LocalStoreView& store, const QueueSetup& setup)
       events_(setup.events),
       log_(setup.log),
       transfers_(store, counters_),
-      store_(store),
+      store_(&store),
       random_(setup.seed) {
   queue_.reserve(depth_);
 }
@@ -52,7 +52,7 @@ void CommandQueue::issue(const Command& command) {
     return issue_unchecked(command);
   }
   std::byte* host = nullptr;
-  if (mode_ != DmaMode::unchecked) host = check_command(command, issuer_, store_);
+  if (mode_ != DmaMode::unchecked) host = check_command(command, issuer_, *store_);
   if (!late() && queue_.empty() && !is_list(command.opcode)) return perform_now(command, host);
   make_room(command);
   Pending pending = prepare(command);
@@ -100,12 +100,14 @@ void CommandQueue::make_room(const Command& command) {
 Piece CommandQueue::make_piece(const Command& command, std::uint32_t ls, std::uint64_t ea,
                                std::uint32_t size) {
   if (mode_ != DmaMode::unchecked) {
-    std::byte* host = check_transfer(command, ls, ea, size, store_);
-    if (late() && size != 0) check_mapped(command, ea, size);
+    std::byte* host = check_transfer(command, ls, ea, size, *store_);
+    // For real SPU code the check before has asked already.
+    if (late() && store_->word_order() == WordOrder::same) check_mapped(command, ea, size);
     return {host, ls, size, ea};
   }
-  std::byte* host = store_.at(ls, size);
-  if (host == nullptr) throw Fault(Rule::local_store_range, store_.why_not(ls, size), command);
+  std::byte* host = store_->at(ls, size);
+  if (host == nullptr) throw Fault(Rule::local_store_range, store_->why_not(ls, size), command);
+  check_words(command, ls, ea, size, *store_);
   return {host, ls, size, ea};
 }
 
@@ -121,7 +123,7 @@ CommandQueue::Pending CommandQueue::prepare(const Command& command) {
     pending.pieces.push_back(make_piece(command, command.ls, command.ea, command.size));
   } else if (is_line_store(command.opcode)) {
     const std::uint32_t ls = command.ls & ~(kLineSize - 1);
-    pending.pieces.push_back({store_.at(ls, kLineSize), ls, kLineSize, command.ea});
+    pending.pieces.push_back({store_->at(ls, kLineSize), ls, kLineSize, command.ea});
   }
   return pending;
 }
@@ -133,7 +135,7 @@ void CommandQueue::collect_segment(Pending& pending) {
   pending.pieces.clear();
   pending.elements.clear();
   while (pending.next_element < count) {
-    const ListElement element = read_list_element(store_, list, pending.next_element++);
+    const ListElement element = read_list_element(*store_, list, pending.next_element++);
     pending.elements.push_back(element);
     collect_element(pending, element);
     if (element.notify()) return;
@@ -191,6 +193,9 @@ void CommandQueue::watch(Pending& pending) {
   pending.watched = true;
   if (is_get(pending.command.opcode)) {
     poison(pending.pieces);
+    // Real SPU code may touch them: its loads and stores are an interpreter's, which must not die of it.
+    if (store_->word_order() == WordOrder::same) forbid_access(pending.pieces);
+    for (const Piece& piece : pending.pieces) store_->note_written(piece.ls, piece.size);
   } else {
     pending.source = snapshot(pending.pieces);
   }
@@ -211,7 +216,8 @@ void CommandQueue::end_watch(Pending& pending) {
   }
   const auto first = pending.next_element - static_cast<std::uint32_t>(pending.elements.size());
   for (std::uint32_t i = 0; i < pending.elements.size(); ++i) {
-    if (read_list_element(store_, static_cast<std::uint32_t>(command.ea), first + i) != pending.elements[i]) {
+    if (read_list_element(*store_, static_cast<std::uint32_t>(command.ea), first + i) !=
+        pending.elements[i]) {
       throw Fault(Rule::in_flight_list, format("element %u changed before the list was done", first + i),
                   command);
     }

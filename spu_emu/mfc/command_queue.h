@@ -67,6 +67,12 @@ class CommandQueue {
   /// Forgets every command: nothing of them moves any more.
   void clear();
 
+  /// Another local store from here on; the queue is empty.
+  void use_store(LocalStoreView& store) {
+    store_ = &store;
+    transfers_.use_store(store);
+  }
+
   QueueCounters& counters() { return counters_; }
   Transfers& transfers() { return transfers_; }
 
@@ -121,7 +127,7 @@ class CommandQueue {
   ActivityLog* log_;
   QueueCounters counters_;
   Transfers transfers_;
-  LocalStoreView& store_;
+  LocalStoreView* store_;
   Random random_;
   std::vector<Pending> queue_;
   std::uint64_t next_id_ = 0;

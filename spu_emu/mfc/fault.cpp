@@ -56,6 +56,10 @@ const char* rule_name(Rule rule) {
       return "channel";
     case Rule::halt:
       return "halt";
+    case Rule::illegal_instruction:
+      return "illegal instruction";
+    case Rule::instruction_limit:
+      return "instruction limit";
     case Rule::local_store_full:
       return "local store full";
     case Rule::stack_reserve:
@@ -81,6 +85,10 @@ StopReport stop_report(Rule rule) {
       return {SPE_RUNTIME_ERROR, SPE_SPU_INVALID_CHANNEL};
     case Rule::halt:
       return {SPE_RUNTIME_ERROR, SPE_SPU_HALT};
+    case Rule::illegal_instruction:
+      return {SPE_RUNTIME_ERROR, SPE_SPU_INVALID_INSTR};
+    case Rule::instruction_limit:
+      return {SPE_RUNTIME_FATAL, ETIMEDOUT};
     case Rule::deadlock:
       return {SPE_RUNTIME_ERROR, SPE_SPU_WAITING_ON_CHANNEL};
     case Rule::local_store_full:

@@ -33,6 +33,8 @@ enum class Rule {
   tag_update,
   channel,
   halt,
+  illegal_instruction,
+  instruction_limit,
   local_store_full,
   stack_reserve,
   register_access

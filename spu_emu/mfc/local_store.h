@@ -11,6 +11,15 @@ namespace spu_emu {
 /// Byte order of words in a local store compared with main memory.
 enum class WordOrder { same, swapped };
 
+/// Learns which bytes of a local store were changed by somebody else than its own program. Any thread.
+class StoreObserver {
+ public:
+  virtual void store_written(std::uint32_t ls, std::uint32_t size) noexcept = 0;
+
+ protected:
+  ~StoreObserver() = default;
+};
+
 /// A local store seen by LS address. `at` may be called from several threads.
 ///
 /// Most accesses fall into one block of it, which is found without a virtual call: a transfer of 16 KB pushes
@@ -31,8 +40,14 @@ class LocalStoreView {
   /// `swapped`: every 32-bit word that moves between main memory and this local store has its bytes swapped.
   WordOrder word_order() const noexcept { return order_; }
 
+  /// To be called after bytes were changed by the MFC.
+  void note_written(std::uint32_t ls, std::uint32_t size) noexcept {
+    if (observer_ != nullptr) observer_->store_written(ls, size);
+  }
+
  protected:
-  explicit LocalStoreView(WordOrder order) : order_(order) {}
+  explicit LocalStoreView(WordOrder order, StoreObserver* observer = nullptr)
+      : order_(order), observer_(observer) {}
   /// `bytes` is the host address of LS address 0, backed from `first` to before `last`.
   void set_block(std::byte* bytes, std::uint32_t first, std::uint32_t last) {
     bytes_ = bytes;
@@ -48,12 +63,15 @@ class LocalStoreView {
   std::uint32_t block_first_ = 0;
   std::uint32_t block_last_ = 0;
   WordOrder order_;
+  StoreObserver* observer_;
 };
 
 /// A local store that is one block of host memory: LS address 0 is its first byte.
 class FlatLocalStore : public LocalStoreView {
  public:
-  FlatLocalStore(std::byte* bytes, std::uint32_t size, WordOrder order) : LocalStoreView(order), size_(size) {
+  /// `observer` may be null, and outlives the store.
+  FlatLocalStore(std::byte* bytes, std::uint32_t size, WordOrder order, StoreObserver* observer = nullptr)
+      : LocalStoreView(order, observer), size_(size) {
     set_block(bytes, 0, size);
   }
 

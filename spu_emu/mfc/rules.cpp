@@ -7,6 +7,7 @@
 
 #include "mfc/fault.h"
 #include "mfc/format.h"
+#include "mfc/spe_directory.h"
 
 namespace spu_emu {
 
@@ -58,6 +59,12 @@ void check_list(const Command& command, LocalStoreView& store) {
   }
 }
 
+/// Real SPU code is no part of this process: what it names is checked before this process touches it.
+void check_if_foreign(const Command& command, std::uint64_t ea, std::uint32_t size,
+                      const LocalStoreView& store) {
+  if (store.word_order() == WordOrder::swapped) check_mapped(command, ea, size);
+}
+
 void check_line(const Command& command, LocalStoreView& store) {
   const std::uint32_t ls = command.ls & ~(kLineSize - 1);
   if (store.at(ls, kLineSize) == nullptr) {
@@ -66,6 +73,7 @@ void check_line(const Command& command, LocalStoreView& store) {
   if (is_bad_address(command.ea, kLineSize)) {
     fail(Rule::effective_address, "no program memory can be there", command);
   }
+  check_if_foreign(command, command.ea & ~std::uint64_t{kLineSize - 1}, kLineSize, store);
 }
 
 void check_tag(const Command& command, Issuer issuer) {
@@ -91,9 +99,8 @@ std::byte* check_transfer(const Command& command, std::uint32_t ls, std::uint64_
   if (size != 0 && is_bad_address(ea, size)) {
     fail(Rule::effective_address, "no program memory can be there", command);
   }
-  if (store.word_order() == WordOrder::swapped && size % 4 != 0) {
-    fail(Rule::word_transfer, "between memory of different byte order only 32-bit words move", command);
-  }
+  check_words(command, ls, ea, size, store);
+  check_if_foreign(command, ea, size, store);
   return host;
 }
 
@@ -141,19 +148,58 @@ std::byte* check_command(const Command& command, Issuer issuer, LocalStoreView& 
       if (is_bad_address(command.ea, command.size)) {
         fail(Rule::effective_address, "no program memory can be there", command);
       }
+      check_if_foreign(command, command.ea, command.size, store);
       return nullptr;
     default:
       fail(Rule::opcode, format("0x%x is not a command", command.opcode), command);
   }
 }
 
+void check_words(const Command& command, std::uint32_t ls, std::uint64_t ea, std::uint32_t size,
+                 const LocalStoreView& store) {
+  if (store.word_order() == WordOrder::swapped && ((ls | ea | size) & 3U) != 0) {
+    fail(Rule::word_transfer, "between memory of different byte order only 32-bit words move", command);
+  }
+}
+
+namespace {
+constexpr std::uint64_t kPage = 4096;
+
+/// Linux can be asked since 5.14 whether pages may be read or written, without touching them.
+bool has_populate() {
+  static const bool has = [] {
+    alignas(kPage) static std::byte page[kPage];
+    return madvise(page, kPage, MADV_POPULATE_WRITE) == 0;
+  }();
+  return has;
+}
+
+bool is_accessible(std::uint64_t first, std::uint64_t length, bool write) {
+  auto* pages = reinterpret_cast<void*>(first);
+  if (has_populate()) return madvise(pages, length, write ? MADV_POPULATE_WRITE : MADV_POPULATE_READ) == 0;
+  std::array<unsigned char, kLargestTransfer / kPage + 2> present{};
+  return mincore(pages, length, present.data()) == 0 || errno != ENOMEM;
+}
+
+/// An SPE's local store and registers are checked by the transfer itself.
+bool is_in_window(std::uint64_t ea) {
+  bool found = false;
+  if (SpeDirectory::may_be_window(ea)) {
+    SpeDirectory::instance().with_window(ea, [&](const SpeWindow* window) { found = window != nullptr; });
+  }
+  return found;
+}
+}  // namespace
+
 void check_mapped(const Command& command, std::uint64_t ea, std::uint32_t size) {
-  constexpr std::uint64_t kPage = 4096;
+  if (size == 0 || is_in_window(ea)) return;
   const std::uint64_t first = ea & ~(kPage - 1);
-  const std::uint64_t length = ea + size - first;
-  std::array<unsigned char, kLargestTransfer / kPage + 2> pages{};
-  if (mincore(reinterpret_cast<void*>(first), length, pages.data()) != 0 && errno == ENOMEM) {
-    fail(Rule::effective_address, "the address is not mapped in this process", command);
+  const bool write = !is_get(command.opcode) && command.opcode != MFC_GETLLAR_CMD;
+  if (!is_accessible(first, ea + size - first, write)) {
+    fail(Rule::effective_address,
+         write ? "this process has no memory there that can be written"
+               : "this process has no memory there that can be read",
+         command);
   }
 }
 

@@ -25,8 +25,12 @@ constexpr bool is_bad_address(std::uint64_t ea, std::uint32_t size) {
   return ea < 0x10000U || ea > kUserEnd - size;
 }
 
-/// Asks the system whether all pages of the range exist; a system call, so made in late mode only. Throws
-/// Fault.
+/// Between memory of different byte order only whole 32-bit words move. Throws Fault.
+void check_words(const Command& command, std::uint32_t ls, std::uint64_t ea, std::uint32_t size,
+                 const LocalStoreView& store);
+
+/// Asks the system whether the command may access all pages of the range; a system call, so made in late
+/// mode, and for real SPU code, whose errors must not end the process. Throws Fault.
 void check_mapped(const Command& command, std::uint64_t ea, std::uint32_t size);
 
 }  // namespace spu_emu

@@ -48,6 +48,8 @@ class SpuChannels final : public ProblemState {
   /// The program is gone: what is in flight never lands.
   void abandon() { queue_.clear(); }
   TagTable& tags() { return tags_; }
+  /// Another local store from here on; nothing is in flight.
+  void use_store(LocalStoreView& store) { queue_.use_store(store); }
 
   // The other side.
   Mailbox& in_mailbox() { return in_; }

@@ -39,7 +39,7 @@ bool Transfers::move_within_window(const Command& command, const Piece& piece, b
     const auto offset = static_cast<std::uint32_t>(piece.ea);
     if (offset >= kProblemStateOffset) {
       if (window->registers == nullptr || !access_register(*window->registers, offset - kProblemStateOffset,
-                                                           piece, store_.word_order(), to_local)) {
+                                                           piece, store_->word_order(), to_local)) {
         throw Fault(Rule::register_access, "no 4-byte register of a problem state area is there", command);
       }
       return;
@@ -50,22 +50,26 @@ bool Transfers::move_within_window(const Command& command, const Piece& piece, b
                   command);
     }
     copy_bytes(to_local ? piece.host : other, to_local ? other : piece.host, piece.size,
-               order_between(store_, *window->store));
-    if (!to_local) ReservationTable::instance().written(other, piece.size);
+               order_between(*store_, *window->store));
+    if (to_local) return;
+    ReservationTable::instance().written(other, piece.size);
+    window->store->note_written(offset, piece.size);
   });
   return moved;
 }
 
 void Transfers::get(const Command& command, const Piece& piece) {
   counters_.bytes_in.add(piece.size);
-  if (SpeDirectory::may_be_window(piece.ea) && move_within_window(command, piece, true)) return;
-  copy_bytes(piece.host, memory_at(piece.ea), piece.size, store_.word_order());
+  if (!SpeDirectory::may_be_window(piece.ea) || !move_within_window(command, piece, true)) {
+    copy_bytes(piece.host, memory_at(piece.ea), piece.size, store_->word_order());
+  }
+  store_->note_written(piece.ls, piece.size);
 }
 
 void Transfers::put(const Command& command, const Piece& piece) {
   counters_.bytes_out.add(piece.size);
   if (SpeDirectory::may_be_window(piece.ea) && move_within_window(command, piece, false)) return;
-  copy_bytes(memory_at(piece.ea), piece.host, piece.size, store_.word_order());
+  copy_bytes(memory_at(piece.ea), piece.host, piece.size, store_->word_order());
   ReservationTable::instance().written(memory_at(piece.ea), piece.size);
 }
 
@@ -95,14 +99,15 @@ std::byte* Transfers::line_address(const Command& command) {
 
 LineWords Transfers::read_store_line(std::uint32_t ls) {
   LineWords words{};
-  copy_bytes(reinterpret_cast<std::byte*>(words.data()), store_.at(ls & ~(kLineSize - 1), kLineSize),
-             kLineSize, store_.word_order());
+  copy_bytes(reinterpret_cast<std::byte*>(words.data()), store_->at(ls & ~(kLineSize - 1), kLineSize),
+             kLineSize, store_->word_order());
   return words;
 }
 
 void Transfers::write_store_line(std::uint32_t ls, const LineWords& words) {
-  copy_bytes(store_.at(ls & ~(kLineSize - 1), kLineSize), reinterpret_cast<const std::byte*>(words.data()),
-             kLineSize, store_.word_order());
+  copy_bytes(store_->at(ls & ~(kLineSize - 1), kLineSize), reinterpret_cast<const std::byte*>(words.data()),
+             kLineSize, store_->word_order());
+  store_->note_written(ls & ~(kLineSize - 1), kLineSize);
 }
 
 }  // namespace spu_emu

@@ -20,9 +20,10 @@ struct Piece {
 /// Has no state of its own but counters; each queue has one and uses it from one thread at a time.
 class Transfers {
  public:
-  Transfers(LocalStoreView& store, QueueCounters& counters) : store_(store), counters_(counters) {}
+  Transfers(LocalStoreView& store, QueueCounters& counters) : store_(&store), counters_(counters) {}
 
-  LocalStoreView& store() { return store_; }
+  LocalStoreView& store() { return *store_; }
+  void use_store(LocalStoreView& store) { store_ = &store; }
   QueueCounters& counters() { return counters_; }
 
   /// Main memory (or another SPE's local store or register, by the EA) to local store. `command` is for
@@ -44,7 +45,7 @@ class Transfers {
  private:
   bool move_within_window(const Command& command, const Piece& piece, bool to_local);
 
-  LocalStoreView& store_;
+  LocalStoreView* store_;
   QueueCounters& counters_;
 };
 

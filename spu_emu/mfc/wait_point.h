@@ -53,13 +53,22 @@ class WaitPoint {
     WaitPoint& point_;
   };
 
+  /// Leaves the core to its other thread for a moment.
+  static void relax() {
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#elif defined(__powerpc__)
+    asm volatile("or 27,27,27" ::: "memory");
+#endif
+  }
+
   template <class Ready>
   static bool spin(Ready& ready) {
     for (int round = 0; round < kSpinRounds; ++round) {
       if (ready()) return true;
       // More SPEs than processors: the thread waited for may be waiting for this processor.
       if (round % kYieldEvery == kYieldEvery - 1) sched_yield();
-      __builtin_ia32_pause();
+      relax();
     }
     return ready();
   }

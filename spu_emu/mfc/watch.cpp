@@ -17,14 +17,6 @@
 
 namespace spu_emu {
 
-namespace {
-void forbid_access([[maybe_unused]] const std::byte* first, [[maybe_unused]] std::size_t size) {
-#ifdef SPU_EMU_WITH_ASAN
-  __asan_poison_memory_region(first, size);
-#endif
-}
-}  // namespace
-
 void allow_access([[maybe_unused]] const std::byte* first, [[maybe_unused]] std::size_t size) {
 #ifdef SPU_EMU_WITH_ASAN
   __asan_unpoison_memory_region(first, size);
@@ -38,8 +30,13 @@ bool overlap(const Piece& one, const Piece& other) {
 void poison(const std::vector<Piece>& pieces) {
   for (const Piece& piece : pieces) {
     std::memset(piece.host, std::to_integer<int>(kPoison), piece.size);
-    forbid_access(piece.host, piece.size);
   }
+}
+
+void forbid_access([[maybe_unused]] const std::vector<Piece>& pieces) {
+#ifdef SPU_EMU_WITH_ASAN
+  for (const Piece& piece : pieces) __asan_poison_memory_region(piece.host, piece.size);
+#endif
 }
 
 bool end_poison(const std::vector<Piece>& pieces) {

@@ -16,8 +16,11 @@ inline constexpr std::byte kPoison{0xa5};
 /// True if the local store bytes of the two have any in common.
 bool overlap(const Piece& one, const Piece& other);
 
-/// Fills the pieces with kPoison; under AddressSanitizer any access by the program is an error from here on.
+/// Fills the pieces with kPoison.
 void poison(const std::vector<Piece>& pieces);
+
+/// Under AddressSanitizer any access to the pieces by code of this machine is an error from here on.
+void forbid_access(const std::vector<Piece>& pieces);
 
 /// Makes the pieces accessible again; true if every byte still is kPoison.
 bool end_poison(const std::vector<Piece>& pieces);

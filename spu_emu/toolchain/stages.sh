@@ -75,6 +75,10 @@ stage_install() {
   cp -a "$work/install" "$prefix.new"
   rm -rf "$prefix.new/share"
   cp "$here"/include/*.h "$prefix.new/spu-elf/include/"
+  # GCC's own tests that run: the engine that executes SPU programs is tested with them.
+  mkdir -p "$prefix.new/testsuite/gcc.c-torture" "$prefix.new/testsuite/gcc.target"
+  cp -a "$work/source/gcc/gcc/testsuite/gcc.c-torture/execute" "$prefix.new/testsuite/gcc.c-torture/"
+  cp -a "$work/source/gcc/gcc/testsuite/gcc.target/spu" "$prefix.new/testsuite/gcc.target/"
   # A few of the executables are scripts, which strip refuses.
   find "$prefix.new"/{bin,spu-elf/bin,libexec} -type f -perm -u+x -exec strip {} + || true
   check_toolchain "$prefix.new"

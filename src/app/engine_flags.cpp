@@ -32,6 +32,8 @@ void EngineFlags::add_to(CLI::App& command, std::string only) {
 void EngineFlags::add_cell_flags(CLI::App& command) {
   static const std::map<std::string, DmaMode> kModes = {
       {"eager", DmaMode::eager}, {"late", DmaMode::late}, {"unchecked", DmaMode::unchecked}};
+  static const std::map<std::string, SpeEngine> kSpeEngines = {{"host", SpeEngine::host},
+                                                               {"isa", SpeEngine::isa}};
   command.add_option("--method", options_.method, "cell-paper: the document's overlap test, 1 or 2")
       ->capture_default_str();
   command.add_option("--spus", options_.spus, "Cell engines: SPUs that work; 0: the engine chooses")
@@ -43,6 +45,14 @@ void EngineFlags::add_cell_flags(CLI::App& command) {
       ->transform(CLI::Transformer(std::map<std::string, std::string>{{"off", "0"}}).description(""))
       ->type_name("SIZE|off")
       ->capture_default_str();
+  command
+      .add_option(
+          "--spe-engine", options_.spe_engine,
+          "Cell engines: SPU programs compiled for this machine (host), or for a real SPU and executed\n"
+          "instruction by instruction (isa)")
+      ->transform(CLI::CheckedTransformer(kSpeEngines, CLI::ignore_case).description(""))
+      ->type_name("host|isa")
+      ->default_str("host");
   command.add_option("--dma", options_.dma, "Cell engines: when transfers move: eager, late or unchecked")
       ->transform(CLI::CheckedTransformer(kModes, CLI::ignore_case).description(""))
       ->type_name("MODE")

@@ -52,6 +52,25 @@ void add_cell_options(std::vector<ContractEngine>& engines) {
   engines.push_back({"cell-resident", late_five_spus, "cell_resident_with_late_dma_five_spus_and_spu_boxes"});
 }
 
+/// The programs as a real SPU would run them; sanitizers watch the engine itself elsewhere, in its own tests.
+void add_isa_engines([[maybe_unused]] std::vector<ContractEngine>& engines) {
+#if !defined(CELLSWEEP_SANITIZED_TESTS)
+  const EngineOptions isa{.spe_engine = SpeEngine::isa};
+  if (!make_engine("cell-paper", isa)) return;  // built without the SPU compiler
+  EngineOptions late = isa;
+  late.dma = DmaMode::late;
+  late.dma_seed = 21;
+  EngineOptions late_boxes = late;
+  late_boxes.spus = 5;
+  late_boxes.spu_boxes = true;
+  engines.push_back({"cell-paper", late, "cell_paper_on_isa_with_late_dma"});
+  engines.push_back({"cell-brute", isa, "cell_brute_on_isa"});
+  engines.push_back({"cell-resident", isa, "cell_resident_on_isa"});
+  engines.push_back(
+      {"cell-resident", late_boxes, "cell_resident_on_isa_with_late_dma_five_spus_and_spu_boxes"});
+#endif
+}
+
 bool is_in_table(std::string_view name) {
   return std::ranges::any_of(engine_table(), [&](const EngineInfo& info) { return info.name == name; });
 }
@@ -62,7 +81,10 @@ std::vector<ContractEngine> list_engines() {
     engines.push_back({std::string(info.name), {}, label_of(info.name)});
   }
   engines.push_back({"control", {.pair_map_bytes = kSmallPairMap}, "control_with_a_small_pair_map"});
-  if (is_in_table("cell-paper")) add_cell_options(engines);
+  if (is_in_table("cell-paper")) {
+    add_cell_options(engines);
+    add_isa_engines(engines);
+  }
   return engines;
 }
 

@@ -74,13 +74,13 @@ inline void spu_emu_halt(const char* file = __builtin_FILE(), int line = __built
 }
 
 inline void spu_sync() {
-  __builtin_ia32_mfence();
+  __sync_synchronize();
 }
 inline void spu_sync_c() {
-  __builtin_ia32_mfence();
+  __sync_synchronize();
 }
 inline void spu_dsync() {
-  __builtin_ia32_mfence();
+  __sync_synchronize();
 }
 
 /// SPU interrupts have no counterpart on the host engine: events are polled, so both do nothing.

@@ -12,17 +12,28 @@
 
 namespace spu_emu {
 
+/// Which library calls (stop codes 0x2100-0x2105) of a program for the instruction-level engine are served,
+/// when the host program has not registered handlers of its own. `console`: formatted text, the three
+/// standard streams, time; `files`: those of the host too, as the calling user.
+enum class LibraryCallAccess { none, console, files };
+
 /// Settings of one SPE, fixed when its context is created. Sizes are in bytes.
 struct EmulationSettings {
   DmaMode dma_mode = DmaMode::eager;
   /// Chooses the order of late transfers; contexts of the same seed and the same program behave the same.
   std::uint64_t seed = 1;
-  /// All of code, data, heap and stack must fit in; a multiple of 128. 0 is off: 1 GB.
+  /// All of code, data, heap and stack must fit in; a multiple of 128. 0 is off: 1 GB on the host engine.
+  /// Real SPU code never gets more than 256 KB.
   std::uint32_t local_store_limit = 256 * 1024;
   /// What the program's code and constants are taken to occupy.
   std::uint32_t code_reserve = 48 * 1024;
   /// What the stack is taken to occupy; DMA reaches stack buffers within it. A multiple of 128.
   std::uint32_t stack_reserve = 16 * 1024;
+  /// Library calls of real SPU code; the host engine's programs call their C library directly.
+  LibraryCallAccess library_calls = LibraryCallAccess::files;
+  /// Real SPU code: a program that has executed this many instructions since its start is stopped with
+  /// SPE_RUNTIME_FATAL and ETIMEDOUT. 0 is no limit.
+  std::uint64_t instruction_limit = 0;
   /// Decrementer ticks per second.
   double timebase_hertz = 79.8e6;
   /// Keep a timeline for write_trace.
@@ -66,8 +77,11 @@ struct SpeStatistics {
   std::uint64_t event_waits = 0;
   std::uint64_t atomics = 0;
   std::uint64_t failed_atomics = 0;
-  /// Local store in use at most, in bytes: code reserve, data, heap blocks, stack reserve.
+  /// Local store in use at most, in bytes: code reserve, data, heap blocks, stack reserve. Of real SPU code:
+  /// its image, and quadwords behind it that were not zero at a stop.
   std::uint32_t local_store_high_water = 0;
+  /// Of the loaded program, since its start, as of its last stop; 0 on the host engine.
+  std::uint64_t instructions = 0;
 };
 
 /// May be called while the SPE runs; the numbers are then of about now.
@@ -79,6 +93,12 @@ std::string last_fault(spe_context_ptr_t spe);
 
 /// Code, data, heap, stack and free bytes of the local store, one line each. Not while the context runs.
 std::string local_store_map(spe_context_ptr_t spe);
+
+/// Of real SPU code: the instruction at which it stopped, with its address and the symbol before it, in one
+/// line (last_fault has it too); and all 128 registers, two a line. Empty on the host engine. Not while the
+/// context runs.
+std::string where(spe_context_ptr_t spe);
+std::string registers(spe_context_ptr_t spe);
 
 /// Writes everything traced so far, of all contexts, as Chrome trace JSON (opens in Perfetto), and forgets
 /// it.

@@ -8,38 +8,38 @@
 namespace cellsweep {
 
 Result<std::unique_ptr<Broadphase>> make_cell_paper(const EngineOptions& options) {
-  auto emulation = cell::make_spu_emu_emulation(options);
+  auto emulation = cell::make_emulation(options);
   if (!emulation) return emulation.status();
   return cell::Paper::make(options, std::move(*emulation));
 }
 
 Result<LocalStoreMap> cell_paper_map(const EngineOptions& options, std::uint64_t bodies) {
-  auto emulation = cell::make_spu_emu_emulation(options);
+  auto emulation = cell::make_emulation(options);
   if (!emulation) return emulation.status();
   const auto buffers = [&](std::uint64_t count) { return cell::paper_buffers(options, count); };
   return cell::make_local_store_map("cell-paper", (*emulation)->local_store(), buffers, bodies);
 }
 
 Result<std::unique_ptr<Broadphase>> make_cell_brute(const EngineOptions& options) {
-  auto emulation = cell::make_spu_emu_emulation(options);
+  auto emulation = cell::make_emulation(options);
   if (!emulation) return emulation.status();
   return cell::Brute::make(options, std::move(*emulation));
 }
 
 Result<LocalStoreMap> cell_brute_map(const EngineOptions& options, std::uint64_t bodies) {
-  auto emulation = cell::make_spu_emu_emulation(options);
+  auto emulation = cell::make_emulation(options);
   if (!emulation) return emulation.status();
   return cell::make_local_store_map("cell-brute", (*emulation)->local_store(), cell::brute_buffers, bodies);
 }
 
 Result<std::unique_ptr<Broadphase>> make_cell_resident(const EngineOptions& options) {
-  auto emulation = cell::make_spu_emu_emulation(options);
+  auto emulation = cell::make_emulation(options);
   if (!emulation) return emulation.status();
   return cell::Resident::make(options, std::move(*emulation));
 }
 
 Result<LocalStoreMap> cell_resident_map(const EngineOptions& options, std::uint64_t bodies) {
-  auto emulation = cell::make_spu_emu_emulation(options);
+  auto emulation = cell::make_emulation(options);
   if (!emulation) return emulation.status();
   const auto buffers = [&](std::uint64_t count) { return cell::resident_buffers(options, count); };
   return cell::make_local_store_map("cell-resident", (*emulation)->local_store(), buffers, bodies);

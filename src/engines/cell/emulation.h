@@ -41,6 +41,9 @@ class Emulation {
 
   virtual LocalStoreBudget local_store() const = 0;
 
+  /// What to load for a program: the same handle, or that of the same program compiled for a real SPU.
+  virtual spe_program_handle_t& image(spe_program_handle_t& program) const = 0;
+
   /// spe_context_create() with this engine's settings; null with errno as there.
   virtual spe_context_ptr_t create_context(unsigned flags) = 0;
 
@@ -50,8 +53,10 @@ class Emulation {
   virtual std::string fault(spe_context_ptr_t spe) const = 0;
 };
 
-/// SPEs by spu_emu, as the options say. Errors: bad_option for a local store that is no multiple of 128 or
-/// too small for code and stack, and for a trace file that cannot be written.
-Result<std::shared_ptr<Emulation>> make_spu_emu_emulation(const EngineOptions& options);
+/// SPEs as the options say: those of spu_emu, or a Cell's own in a build for these. Errors: bad_option for a
+/// local store that is no multiple of 128 or too small for code and stack, for a trace file that cannot be
+/// written, for SpeEngine::isa without SPU programs or with more than 256 KB, and for what a Cell's own SPEs
+/// cannot do.
+Result<std::shared_ptr<Emulation>> make_emulation(const EngineOptions& options);
 
 }  // namespace cellsweep::cell

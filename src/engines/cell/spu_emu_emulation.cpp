@@ -6,6 +6,7 @@
 
 #include "broadphase/text.h"
 #include "engines/cell/emulation.h"
+#include "engines/cell/spu_elf.h"
 
 namespace cellsweep::cell {
 namespace {
@@ -21,6 +22,7 @@ constexpr bool kSanitized = false;
 constexpr std::uint64_t kDataBytes = 4096;
 constexpr std::uint64_t kSanitizerBytes = kSanitized ? 64 * 1024 : 0;
 constexpr std::uint64_t kLargestLocalStore = std::uint64_t{1} << 30;
+constexpr std::uint64_t kRealLocalStore = std::uint64_t{256} << 10;
 constexpr std::uint64_t kLine = 128;
 
 /// A timeline file, written when the last engine that named it goes: spu_emu keeps one timeline for all.
@@ -61,15 +63,22 @@ spu_emu::DmaMode mode_of(DmaMode mode) {
 class SpuEmuEmulation final : public Emulation {
  public:
   SpuEmuEmulation(const EngineOptions& options, std::shared_ptr<TraceFile> trace)
-      : limit_(options.local_store_bytes), trace_(std::move(trace)) {
+      : limit_(options.local_store_bytes),
+        isa_(options.spe_engine == SpeEngine::isa),
+        trace_(std::move(trace)) {
     settings_.dma_mode = mode_of(options.dma);
     settings_.seed = options.dma_seed;
-    settings_.local_store_limit = static_cast<std::uint32_t>(limit_ == 0 ? 0 : limit_ + kSanitizerBytes);
+    settings_.local_store_limit =
+        static_cast<std::uint32_t>(limit_ == 0 || isa_ ? limit_ : limit_ + kSanitizerBytes);
     settings_.trace = trace_ != nullptr;
   }
 
   LocalStoreBudget local_store() const override {
     return {limit_, settings_.code_reserve, kDataBytes, settings_.stack_reserve};
+  }
+
+  spe_program_handle_t& image(spe_program_handle_t& program) const override {
+    return isa_ ? *spu_elf_of(program) : program;
   }
 
   spe_context_ptr_t create_context(unsigned flags) override {
@@ -87,6 +96,7 @@ class SpuEmuEmulation final : public Emulation {
 
  private:
   std::uint64_t limit_;
+  bool isa_;
   spu_emu::EmulationSettings settings_;
   std::shared_ptr<TraceFile> trace_;
 };
@@ -105,6 +115,28 @@ Status check_local_store(const EngineOptions& options) {
           "local_store_bytes"};
 }
 
+Status check_isa(const EngineOptions& options) {
+  if (options.spe_engine != SpeEngine::isa) return {};
+  if (!has_spu_elf()) {
+    return {StatusCode::bad_option,
+            "spe_engine isa: this build has no programs for a real SPU. Build the SPU compiler with "
+            "spu_emu/toolchain/build, then configure again.",
+            std::nullopt,
+            0,
+            0,
+            "spe_engine"};
+  }
+  const std::uint64_t bytes = options.local_store_bytes;
+  if (bytes != 0 && bytes <= kRealLocalStore) return {};
+  return {StatusCode::bad_option,
+          text("local_store_bytes is ", bytes, bytes == 0 ? " (no limit)" : "", "; a real SPU has ",
+               kRealLocalStore, ", so spe_engine isa has no more."),
+          std::nullopt,
+          bytes,
+          kRealLocalStore,
+          "local_store_bytes"};
+}
+
 }  // namespace
 
 SpeCounts& SpeCounts::operator+=(const SpeCounts& more) {
@@ -118,8 +150,9 @@ SpeCounts& SpeCounts::operator+=(const SpeCounts& more) {
   return *this;
 }
 
-Result<std::shared_ptr<Emulation>> make_spu_emu_emulation(const EngineOptions& options) {
+Result<std::shared_ptr<Emulation>> make_emulation(const EngineOptions& options) {
   if (Status status = check_local_store(options); !status.ok()) return status;
+  if (Status status = check_isa(options); !status.ok()) return status;
   std::shared_ptr<TraceFile> trace;
   if (!options.trace_file.empty()) {
     trace = open_trace(options.trace_file);

@@ -43,15 +43,32 @@ const std::vector<Recorded> kRecordings = {
       {4, 2119, "c62b8fc54f70b441"},
       {5, 2369, "d3d6e065474af82e"}}}};
 
-using RecordingOfEngine = testing::TestWithParam<std::tuple<std::string, Recorded>>;
+struct Way {
+  std::string name;
+  EngineOptions options;
+};
+
+void PrintTo(const Way& way, std::ostream* out) {
+  *out << way.name;
+}
+
+const std::vector<Way> kWays = {
+    {"host", {}},
+    {"isa", {.spe_engine = SpeEngine::isa}},
+    {"isa_late", {.spe_engine = SpeEngine::isa, .dma = DmaMode::late, .dma_seed = 5}}};
+
+using RecordingOfEngine = testing::TestWithParam<std::tuple<std::string, Way, Recorded>>;
 
 TEST_P(RecordingOfEngine, GivesTheKnownPairs) {
-  const auto& [name, recorded] = GetParam();
+  const auto& [name, way, recorded] = GetParam();
+  if (way.options.spe_engine == SpeEngine::isa && !make_engine(name, way.options)) {
+    GTEST_SKIP() << make_engine(name, way.options).status().message;
+  }
   const std::string path = CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-" + recorded.name + "-1024.aabbs";
   auto recording = read_recording(path);
   ASSERT_TRUE(recording.ok()) << recording.status().message;
   const auto source = make_recording_frames(std::move(*recording));
-  auto engine = make_engine(name);
+  auto engine = make_engine(name, way.options);
   ASSERT_TRUE(engine.ok()) << engine.status().message;
   report::RunSettings settings;
   settings.updates = recorded.updates;
@@ -67,9 +84,10 @@ TEST_P(RecordingOfEngine, GivesTheKnownPairs) {
 
 INSTANTIATE_TEST_SUITE_P(Cell, RecordingOfEngine,
                          testing::Combine(testing::Values("cell-paper", "cell-brute", "cell-resident"),
-                                          testing::ValuesIn(kRecordings)),
+                                          testing::ValuesIn(kWays), testing::ValuesIn(kRecordings)),
                          [](const auto& test) {
-                           return std::get<0>(test.param).substr(5) + "_" + std::get<1>(test.param).name;
+                           return std::get<0>(test.param).substr(5) + "_" + std::get<1>(test.param).name +
+                                  "_" + std::get<2>(test.param).name;
                          });
 
 }  // namespace

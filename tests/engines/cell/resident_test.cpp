@@ -313,6 +313,7 @@ class FewSpes final : public cell::Emulation {
   FewSpes(std::shared_ptr<cell::Emulation> all, int few) : all_(std::move(all)), left_(few) {}
 
   cell::LocalStoreBudget local_store() const override { return all_->local_store(); }
+  spe_program_handle_t& image(spe_program_handle_t& program) const override { return all_->image(program); }
   spe_context_ptr_t create_context(unsigned flags) override {
     return left_-- > 0 ? all_->create_context(flags) : nullptr;
   }
@@ -326,7 +327,7 @@ class FewSpes final : public cell::Emulation {
 
 TEST(Resident, TooFewSpesAreAStatusAndNoHang) {
   for (int few = 0; few < 3; ++few) {
-    auto emulation = std::make_shared<FewSpes>(*cell::make_spu_emu_emulation({}), few);
+    auto emulation = std::make_shared<FewSpes>(*cell::make_emulation({}), few);
     EXPECT_EQ(cell::Resident::make({}, emulation).status().code, StatusCode::spe_failed);
   }
 }
@@ -341,6 +342,7 @@ class Boaster final : public cell::Emulation {
     budget.limit *= 2;
     return budget;
   }
+  spe_program_handle_t& image(spe_program_handle_t& program) const override { return all_->image(program); }
   spe_context_ptr_t create_context(unsigned flags) override { return all_->create_context(flags); }
   cell::SpeCounts counts(spe_context_ptr_t spe) const override { return all_->counts(spe); }
   std::string fault(spe_context_ptr_t spe) const override { return all_->fault(spe); }
@@ -350,7 +352,7 @@ class Boaster final : public cell::Emulation {
 };
 
 TEST(Resident, AProgramThatFailsIsAStatusWithTheRuleItBroke) {
-  const auto engine = cell::Resident::make({}, std::make_shared<Boaster>(*cell::make_spu_emu_emulation({})));
+  const auto engine = cell::Resident::make({}, std::make_shared<Boaster>(*cell::make_emulation({})));
   ASSERT_FALSE(engine.ok());
   EXPECT_EQ(engine.status().code, StatusCode::spe_failed);
   EXPECT_THAT(engine.status().message, testing::HasSubstr("local store"));

@@ -2,6 +2,7 @@
 #
 # Typed rows: the call on values of exactly the row's argument types must have exactly the row's return type.
 # Rows with argument names only: a call with that many arguments of a type that converts to anything must compile.
+# Types and constants of libspe2.h: a size in bytes with 64-bit pointers, and a value.
 # Rows with a name only: functions must have an address, constants and types a size.
 BEGIN {
   FS = "\t"
@@ -69,6 +70,10 @@ function check(code) {
 }
 
 /^#/ || NF < 2 { next }
+
+$1 == "libspe2.h type" { check("static_assert(sizeof(" $2 ") == " $3 ");"); next }
+
+$1 == "libspe2.h constant" { check("static_assert(" $2 " == " $3 ");"); next }
 
 $1 == "libspe2.h" { check("const auto check" NR " = &" $2 ";"); next }
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "host/elf_image.h"
+#include "libspe2/program_image.h"
 
 #ifndef SPU_EMU_HAS_ELF
 #error "a library with an ELF program says so to its users"

@@ -73,7 +73,7 @@ TEST(Image, a_module_that_is_no_spu_program_is_refused) {
   EXPECT_EQ(errno, EINVAL);
 }
 
-TEST(Image, an_spu_elf_is_refused_with_a_reason) {
+TEST(Image, a_broken_spu_elf_is_refused_with_a_reason) {
   std::vector<unsigned char> bytes(256, 0);
   const std::array<unsigned char, 7> ident{0x7f, 'E', 'L', 'F', 1, 2, 1};
   std::copy(ident.begin(), ident.end(), bytes.begin());
@@ -81,8 +81,8 @@ TEST(Image, an_spu_elf_is_refused_with_a_reason) {
   spe_program_handle_t handle{sizeof handle, bytes.data(), nullptr};
   TestContext context;
   EXPECT_EQ(spe_program_load(context.spe, &handle), -1);
-  EXPECT_EQ(errno, ENOTSUP);
-  EXPECT_NE(last_fault(context.spe).find("SPU ELF"), std::string::npos);
+  EXPECT_EQ(errno, EINVAL);
+  EXPECT_NE(last_fault(context.spe).find("broken SPU program"), std::string::npos) << last_fault(context.spe);
 }
 
 TEST(Image, broken_headers_never_lead_outside_the_file) {

@@ -43,7 +43,8 @@ TEST(LocalStore, the_map_tells_every_part) {
 }
 
 TEST(LocalStore, segments_and_stack_have_addresses_and_both_ways_agree) {
-  HostLocalStore store(256 * 1024, 16 * 1024, 8 * 1024);
+  Arena arena(256 * 1024);
+  HostLocalStore store(arena, 16 * 1024, 8 * 1024);
   alignas(128) static std::array<std::byte, 1000> data;
   alignas(128) static const std::array<std::byte, 300> constants{};
   auto* constant = const_cast<std::byte*>(constants.data());
@@ -66,7 +67,8 @@ TEST(LocalStore, segments_and_stack_have_addresses_and_both_ways_agree) {
 }
 
 TEST(LocalStore, a_transfer_across_two_parts_is_refused_with_the_map) {
-  HostLocalStore store(256 * 1024, 16 * 1024, 8 * 1024);
+  Arena arena(256 * 1024);
+  HostLocalStore store(arena, 16 * 1024, 8 * 1024);
   ASSERT_TRUE(store.place({}));
   const std::uint32_t stack_begin = 248 * 1024;
   EXPECT_NE(store.at(stack_begin - 128, 128), nullptr);

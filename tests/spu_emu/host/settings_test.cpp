@@ -2,7 +2,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "host/settings.h"
+#include "libspe2/settings.h"
 #include "test_context.h"
 
 namespace spu_emu {

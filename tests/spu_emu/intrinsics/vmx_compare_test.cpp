@@ -119,14 +119,46 @@ TEST(VmxPredicates, KnowNoUnorderedFloats) {
       "vec_any_nle", [](V a, V b) { return vec_any_nle(a, b); }, any_of<V>(gt));
   check_predicate<V>(
       "vec_any_nlt", [](V a, V b) { return vec_any_nlt(a, b); }, any_of<V>(ge));
-  check<V>(
+}
+
+int count_of(const Register& a, bool (*holds)(u64 word)) {
+  int n = 0;
+  for (int i = 0; i < 4; ++i) n += holds(lane<4>(a, i)) ? 1 : 0;
+  return n;
+}
+
+bool is_nan_pattern(u64 word) {
+  return (word & 0x7fffffff) > 0x7f800000;
+}
+bool is_numeric(u64 word) {
+  return (word & 0x7f800000) != 0x7f800000;
+}
+
+// Few random vectors have NaNs in some elements or in all, so each is also tried with some exponents set to
+// 255.
+TEST(VmxPredicates, FindNansByTheirBits) {
+  using V = vec_float4;
+  const auto check_question = [](const char* name, auto intrinsic, auto ref) {
+    const vec_uint4 infinity = spu_splats(0x7f800000U);
+    for (const vec_uint4 set : {vec_uint4{}, vec_uint4{0, 0, 0x7f800000U, 0}, infinity}) {
+      check<V>(
+          name, [=](V a) { return intrinsic((V)((vec_uint4)a | set)); },
+          [=](const Register& a) {
+            return ref(lanewise<4>([](u64 x, u64 y) { return x | y; })(a, image(set)));
+          });
+    }
+  };
+  check_question(
       "vec_all_nan", [](V a) { return vec_all_nan(a); }, [](const Register&) { return 0; });
-  check<V>(
-      "vec_any_nan", [](V a) { return vec_any_nan(a); }, [](const Register&) { return 0; });
-  check<V>(
-      "vec_all_numeric", [](V a) { return vec_all_numeric(a); }, [](const Register&) { return 1; });
-  check<V>(
-      "vec_any_numeric", [](V a) { return vec_any_numeric(a); }, [](const Register&) { return 1; });
+  check_question(
+      "vec_any_nan", [](V a) { return vec_any_nan(a); },
+      [](const Register& a) { return count_of(a, is_nan_pattern) > 0 ? 1 : 0; });
+  check_question(
+      "vec_all_numeric", [](V a) { return vec_all_numeric(a); },
+      [](const Register& a) { return count_of(a, is_numeric) == 4 ? 1 : 0; });
+  check_question(
+      "vec_any_numeric", [](V a) { return vec_any_numeric(a); },
+      [](const Register& a) { return count_of(a, is_numeric) > 0 ? 1 : 0; });
 }
 
 Register bounds(const Register& a, const Register& b) {
@@ -135,6 +167,16 @@ Register bounds(const Register& a, const Register& b) {
     const s64 limit = key<vec_float4>(b, i);
     return (x > limit ? 0x80000000U : 0U) | (x < -limit ? 0x40000000U : 0U);
   });
+}
+
+// A bound with the sign bit, -0 included, has nothing within it.
+bool all_within(const Register& a, const Register& b) {
+  bool all = true;
+  for (int i = 0; i < 4; ++i) {
+    const s64 x = key<vec_float4>(a, i);
+    all = all && lane<4>(b, i) >> 31 == 0 && (x < 0 ? -x : x) <= key<vec_float4>(b, i);
+  }
+  return all;
 }
 
 TEST(VmxCompare, ComparesFloatsAndBounds) {
@@ -159,10 +201,13 @@ TEST(VmxCompare, ComparesFloatsAndBounds) {
       "vec_cmpb", [](V a, V b) { return vec_cmpb(a, b); }, bounds);
   check<V, V>(
       "vec_all_in", [](V a, V b) { return vec_all_in(a, b); },
-      [](const Register& a, const Register& b) { return bounds(a, b) == Register{} ? 1 : 0; });
+      [](const Register& a, const Register& b) { return all_within(a, b) ? 1 : 0; });
   check<V, V>(
       "vec_any_out", [](V a, V b) { return vec_any_out(a, b); },
-      [](const Register& a, const Register& b) { return bounds(a, b) == Register{} ? 0 : 1; });
+      [](const Register& a, const Register& b) { return all_within(a, b) ? 0 : 1; });
+  EXPECT_EQ(vec_all_in(V{}, V{}), 1);
+  EXPECT_EQ(vec_all_in(V{}, V{0, 0, -0.0F, 0}), 0);
+  EXPECT_EQ(vec_any_out(V{}, V{0, 0, -0.0F, 0}), 1);
 }
 
 }  // namespace

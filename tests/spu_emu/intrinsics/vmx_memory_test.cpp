@@ -62,8 +62,8 @@ TEST(VmxMemory, LoadsAndStoresSingleElements) {
       EXPECT_EQ(std::memcmp(reinterpret_cast<const E*>(buffer.bytes) + i,
                             reinterpret_cast<const char*>(&elements[i]), sizeof(E)),
                 0);
-      const V loaded = vec_lde(offset, elements);
-      EXPECT_EQ(image(loaded), image(spu_insert(elements[i], V{}, i)));
+      EXPECT_EQ(image(vec_lde(offset, elements)), image(from_memory<V>(buffer.bytes)));
+      EXPECT_EQ(image(vec_lde(offset + 16, elements)), image(from_memory<V>(buffer.bytes + 16)));
       vec_ste(other, offset, elements);
       EXPECT_EQ(elements[i], other[i]);
     }

@@ -15,6 +15,12 @@ s64 saturated_word(s64 v) {
 s64 saturated_half(s64 v) {
   return std::min<s64>(std::max<s64>(v, INT16_MIN), INT16_MAX);
 }
+s64 low_half_of(s64 v) {
+  return static_cast<std::int16_t>(v);
+}
+s64 low_word_of(s64 v) {
+  return static_cast<std::int32_t>(v);
+}
 
 // Products of even (0) or odd (1) lanes of Width bytes into lanes of twice that.
 template <int Width, bool Signed, int Odd>
@@ -52,10 +58,11 @@ TEST(VmxMultiply, MultipliesAndAddsHalfwords) {
   check<S, U, U>("vec_mladd", mladd, low_half);
   check<S, S, S>(
       "vec_madds", [](S a, S b, S c) { return vec_madds(a, b, c); },
-      signed_lanewise<2>([](s64 a, s64 b, s64 c) { return saturated_half((a * b >> 15) + c); }));
+      signed_lanewise<2>([](s64 a, s64 b, s64 c) { return saturated_half(low_half_of(a * b >> 15) + c); }));
   check<S, S, S>(
       "vec_mradds", [](S a, S b, S c) { return vec_mradds(a, b, c); },
-      signed_lanewise<2>([](s64 a, s64 b, s64 c) { return saturated_half(((a * b + 0x4000) >> 15) + c); }));
+      signed_lanewise<2>(
+          [](s64 a, s64 b, s64 c) { return saturated_half(low_half_of((a * b + 0x4000) >> 15) + c); }));
 }
 
 // The sum of the products within each word and of c's word, handed to finish.
@@ -85,8 +92,15 @@ TEST(VmxMultiply, SumsProductsWithinWords) {
   check<vec_short8, vec_short8, vec_int4>("vec_msum", msum, multiply_sum<2, true, true, true>(wrapped));
   check<vec_ushort8, vec_ushort8, vec_uint4>("vec_msums", msums,
                                              multiply_sum<2, false, false, false>(saturated_unsigned));
-  check<vec_short8, vec_short8, vec_int4>("vec_msums", msums,
-                                          multiply_sum<2, true, true, true>(saturated_word));
+  check<vec_short8, vec_short8, vec_int4>(
+      "vec_msums", msums, [=](const Register& a, const Register& b, const Register& c) {
+        const Register sums = multiply_sum<2, true, true, true>(low_word_of)(a, b, Register{});
+        return signed_lanewise<4>([](s64 sum, s64 z) { return saturated_word(sum + z); })(sums, c);
+      });
+  const vec_short8 least = spu_splats(static_cast<short>(-32768));
+  EXPECT_EQ(image(vec_msums(least, least, vec_int4{})), image(spu_splats(INT32_MIN)));
+  EXPECT_EQ(image(vec_madds(least, least, vec_short8{})), image(least));
+  EXPECT_EQ(image(vec_mradds(least, least, vec_short8{})), image(least));
 }
 
 template <int Width, bool Signed, typename F>

@@ -41,7 +41,9 @@ SPU_EMU_INLINE unsigned int gathered_bits(V v) {
     const __m128i reversed = _mm_shuffle_epi32(_mm_slli_epi32(b, 31), _MM_SHUFFLE(0, 1, 2, 3));
     return static_cast<unsigned int>(_mm_movemask_ps(_mm_castsi128_ps(reversed)));
   } else if constexpr (lane_bytes<V> == 2) {
-    const __m128i order = _mm_setr_epi8(14, 12, 10, 8, 6, 4, 2, 0, -1, -1, -1, -1, -1, -1, -1, -1);
+    constexpr int low = is_big_endian ? 1 : 0;  // the byte of a lane that has its lowest bit
+    const __m128i order = _mm_setr_epi8(14 + low, 12 + low, 10 + low, 8 + low, 6 + low, 4 + low, 2 + low, low,
+                                        -1, -1, -1, -1, -1, -1, -1, -1);
     return static_cast<unsigned int>(_mm_movemask_epi8(_mm_shuffle_epi8(_mm_slli_epi16(b, 7), order)));
   } else {
     const __m128i order = _mm_setr_epi8(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
@@ -59,9 +61,12 @@ SPU_EMU_INLINE std::enable_if_t<(spu_emu::detail::lane_bytes<V> <= 4), vec_uint4
 // Sixteen byte masks from the low 16 bits, the most significant of them for element 0. Any integer type is
 // taken.
 SPU_EMU_INLINE vec_uchar16 spu_maskb(unsigned int mask) {
-  const __m128i spread = _mm_shuffle_epi8(_mm_cvtsi32_si128(static_cast<int>(mask)),
-                                          _mm_setr_epi8(1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0));
-  const __m128i bit = _mm_set1_epi64x(0x0102040810204080);
+  constexpr int high = spu_emu::detail::is_big_endian ? 2 : 1;  // where in a word its two low bytes are
+  constexpr int low = spu_emu::detail::is_big_endian ? 3 : 0;
+  const __m128i order =
+      _mm_setr_epi8(high, high, high, high, high, high, high, high, low, low, low, low, low, low, low, low);
+  const __m128i spread = _mm_shuffle_epi8(_mm_cvtsi32_si128(static_cast<int>(mask)), order);
+  const __m128i bit = _mm_setr_epi8(-128, 64, 32, 16, 8, 4, 2, 1, -128, 64, 32, 16, 8, 4, 2, 1);
   return (vec_uchar16)_mm_cmpeq_epi8(_mm_and_si128(spread, bit), bit);
 }
 

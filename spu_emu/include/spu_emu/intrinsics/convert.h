@@ -12,11 +12,13 @@
 
 // Sign-extends the odd elements: the right half of each wider lane.
 SPU_EMU_INLINE vec_short8 spu_extend(vec_char16 v) {
-  return (vec_short8)_mm_srai_epi16((__m128i)v, 8);
+  const __m128i left = spu_emu::detail::is_big_endian ? _mm_slli_epi16((__m128i)v, 8) : (__m128i)v;
+  return (vec_short8)_mm_srai_epi16(left, 8);
 }
 
 SPU_EMU_INLINE vec_int4 spu_extend(vec_short8 v) {
-  return (vec_int4)_mm_srai_epi32((__m128i)v, 16);
+  const __m128i left = spu_emu::detail::is_big_endian ? _mm_slli_epi32((__m128i)v, 16) : (__m128i)v;
+  return (vec_int4)_mm_srai_epi32(left, 16);
 }
 
 SPU_EMU_INLINE vec_llong2 spu_extend(vec_int4 v) {
@@ -94,7 +96,9 @@ namespace spu_emu::detail {
 
 // cvttps2dq as the machine does it: GCC would fold a constant NaN to 0 instead of 0x80000000.
 SPU_EMU_INLINE __m128i truncate_to_words(__m128 v) {
+#ifdef __SSE4_1__
   asm("" : "+x"(v));
+#endif
   return _mm_cvttps_epi32(v);
 }
 

@@ -8,6 +8,7 @@
 #ifndef SPU_EMU_INTRINSICS_DOUBLE_H
 #define SPU_EMU_INTRINSICS_DOUBLE_H
 
+#include "spu_emu/intrinsics/float_mode.h"
 #include "spu_emu/intrinsics/traits.h"
 #include "spu_emu/special_values.h"
 
@@ -23,6 +24,7 @@ inline DoubleRounding& double_rounding() {
   return rounding;
 }
 
+#ifdef __SSE4_1__
 // MXCSR for one of the FPSCR's modes: exceptions masked, nothing flushed.
 SPU_EMU_INLINE unsigned int double_mxcsr(unsigned int mode) {
   constexpr unsigned int control[4] = {0x1f80, 0x7f80, 0x5f80, 0x3f80};
@@ -38,11 +40,30 @@ SPU_EMU_INLINE void load_mxcsr(unsigned int value, __m128d& a, __m128d& b, __m12
 SPU_EMU_INLINE void load_mxcsr(unsigned int value, __m128d& a) {
   asm volatile("ldmxcsr %1" : "+x"(a) : "m"(value));
 }
+#else
+// How <cfenv> names one of the FPSCR's modes.
+SPU_EMU_INLINE int double_rounding_mode(unsigned int mode) {
+  constexpr int names[4] = {FE_TONEAREST, FE_TOWARDZERO, FE_UPWARD, FE_DOWNWARD};
+  return names[mode & 3];
+}
+
+// The operands pass through, which keeps the compiler from moving or folding what follows.
+SPU_EMU_INLINE void set_rounding(int mode, __m128d& a, __m128d& b, __m128d& c) {
+  std::fesetround(mode);
+  asm volatile("" : "+m"(a), "+m"(b), "+m"(c));
+}
+
+// The result passes through before the mode changes.
+SPU_EMU_INLINE void set_rounding(int mode, __m128d& a) {
+  asm volatile("" : "+m"(a));
+  std::fesetround(mode);
+}
+#endif
 
 SPU_EMU_INLINE __m128d flush_denormal(__m128d v) {
   const __m128i b = _mm_castpd_si128(v);
-  const __m128i exponent =
-      _mm_and_si128(_mm_shuffle_epi32(b, _MM_SHUFFLE(3, 3, 1, 1)), _mm_set1_epi32(0x7ff00000));
+  constexpr int high_words = is_big_endian ? _MM_SHUFFLE(2, 2, 0, 0) : _MM_SHUFFLE(3, 3, 1, 1);
+  const __m128i exponent = _mm_and_si128(_mm_shuffle_epi32(b, high_words), _mm_set1_epi32(0x7ff00000));
   const __m128i is_zero = _mm_cmpeq_epi32(exponent, _mm_setzero_si128());
   return _mm_castsi128_pd(_mm_andnot_si128(_mm_and_si128(is_zero, _mm_set1_epi64x(INT64_MAX)), b));
 }
@@ -63,10 +84,16 @@ SPU_EMU_INLINE __m128d fused_multiply_add(__m128d a, __m128d b, __m128d c) {
 
 template <typename Operation>
 SPU_EMU_INLINE __m128d rounded(unsigned int mode, Operation operation, __m128d a, __m128d b, __m128d c) {
-  const unsigned int caller = _mm_getcsr();
+  const FloatControl caller = float_control();
+#ifdef __SSE4_1__
   load_mxcsr(double_mxcsr(mode), a, b, c);
   __m128d result = operation(a, b, c);
   load_mxcsr(caller, result);
+#else
+  set_rounding(double_rounding_mode(mode), a, b, c);
+  __m128d result = operation(a, b, c);
+  set_rounding(caller, result);
+#endif
   return result;
 }
 

@@ -9,22 +9,50 @@
 #ifndef SPU_EMU_INTRINSICS_FLOAT_MODE_H
 #define SPU_EMU_INTRINSICS_FLOAT_MODE_H
 
+#ifdef __SSE4_1__
 #include <xmmintrin.h>
+#else
+#include <cfenv>
+#endif
 
 namespace spu_emu {
 
-constexpr unsigned int spu_mxcsr = 0xFFC0;
+#ifdef __SSE4_1__
+using FloatControl = unsigned int;
 
-// Sets spu_mxcsr on the current thread for this object's life and restores what was there before.
+constexpr FloatControl spu_mxcsr = 0xFFC0;
+constexpr FloatControl spu_float_control = spu_mxcsr;
+
+inline FloatControl float_control() {
+  return _mm_getcsr();
+}
+inline void set_float_control(FloatControl control) {
+  _mm_setcsr(control);
+}
+#else
+// Elsewhere the rounding is the whole of it: the intrinsics treat denormals themselves.
+using FloatControl = int;
+
+constexpr FloatControl spu_float_control = FE_TOWARDZERO;
+
+inline FloatControl float_control() {
+  return std::fegetround();
+}
+inline void set_float_control(FloatControl control) {
+  std::fesetround(control);
+}
+#endif
+
+// Sets spu_float_control on the current thread for this object's life and restores what was there before.
 class SpuFloatMode {
  public:
-  SpuFloatMode() : saved_(_mm_getcsr()) { _mm_setcsr(spu_mxcsr); }
-  ~SpuFloatMode() { _mm_setcsr(saved_); }
+  SpuFloatMode() : saved_(float_control()) { set_float_control(spu_float_control); }
+  ~SpuFloatMode() { set_float_control(saved_); }
   SpuFloatMode(const SpuFloatMode&) = delete;
   SpuFloatMode& operator=(const SpuFloatMode&) = delete;
 
  private:
-  unsigned int saved_;
+  FloatControl saved_;
 };
 
 }  // namespace spu_emu

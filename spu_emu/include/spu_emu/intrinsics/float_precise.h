@@ -19,6 +19,32 @@ struct WideFloat {
 constexpr int least_normal_float = 0x00800000;
 constexpr int exponent_shift_in_high_word = 896 << 20;  // 1023 - 127, as a double's high word holds it
 
+// Words of doubles, of two at a time: high and low parts of four lanes in the places of this processor.
+SPU_EMU_INLINE WideFloat join_words(__m128i high, __m128i low) {
+  const __m128i first = is_big_endian ? high : low;
+  const __m128i second = is_big_endian ? low : high;
+  return {_mm_castsi128_pd(_mm_unpacklo_epi32(first, second)),
+          _mm_castsi128_pd(_mm_unpackhi_epi32(first, second))};
+}
+
+SPU_EMU_INLINE __m128i even_words(WideFloat v) {
+  return _mm_castps_si128(
+      _mm_shuffle_ps(_mm_castpd_ps(v.low), _mm_castpd_ps(v.high), _MM_SHUFFLE(2, 0, 2, 0)));
+}
+
+SPU_EMU_INLINE __m128i odd_words(WideFloat v) {
+  return _mm_castps_si128(
+      _mm_shuffle_ps(_mm_castpd_ps(v.low), _mm_castpd_ps(v.high), _MM_SHUFFLE(3, 1, 3, 1)));
+}
+
+SPU_EMU_INLINE __m128i high_words(WideFloat v) {
+  return is_big_endian ? even_words(v) : odd_words(v);
+}
+
+SPU_EMU_INLINE __m128i low_words(WideFloat v) {
+  return is_big_endian ? odd_words(v) : even_words(v);
+}
+
 SPU_EMU_INLINE WideFloat widen(vec_float4 v) {
   const __m128i b = (__m128i)v;
   const __m128i magnitude = _mm_and_si128(b, _mm_set1_epi32(0x7fffffff));
@@ -28,14 +54,12 @@ SPU_EMU_INLINE WideFloat widen(vec_float4 v) {
   const __m128i sign = _mm_xor_si128(b, magnitude);
   const __m128i high = _mm_and_si128(_mm_or_si128(exponent, sign), nonzero);
   const __m128i low = _mm_and_si128(_mm_slli_epi32(b, 29), nonzero);
-  return {_mm_castsi128_pd(_mm_unpacklo_epi32(low, high)), _mm_castsi128_pd(_mm_unpackhi_epi32(low, high))};
+  return join_words(high, low);
 }
 
 SPU_EMU_INLINE vec_float4 narrow(WideFloat v) {
-  const __m128 first = _mm_castpd_ps(v.low);
-  const __m128 second = _mm_castpd_ps(v.high);
-  const __m128i low = _mm_castps_si128(_mm_shuffle_ps(first, second, _MM_SHUFFLE(2, 0, 2, 0)));
-  const __m128i high = _mm_castps_si128(_mm_shuffle_ps(first, second, _MM_SHUFFLE(3, 1, 3, 1)));
+  const __m128i low = low_words(v);
+  const __m128i high = high_words(v);
   const __m128i magnitude = _mm_and_si128(high, _mm_set1_epi32(0x7fffffff));
   const __m128i sign = _mm_xor_si128(high, magnitude);
   const __m128i least = _mm_set1_epi32(exponent_shift_in_high_word + (1 << 20));

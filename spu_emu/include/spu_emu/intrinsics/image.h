@@ -12,7 +12,7 @@ namespace spu_emu::detail {
 // Reverses the bytes within each lane of Width bytes; its own inverse.
 template <int Width>
 SPU_EMU_INLINE __m128i reverse_lanes(__m128i v) {
-  if constexpr (Width == 1)
+  if constexpr (Width == 1 || is_big_endian)
     return v;
   else if constexpr (Width == 2)
     return _mm_shuffle_epi8(v, _mm_setr_epi8(1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14));

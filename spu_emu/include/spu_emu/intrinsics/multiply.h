@@ -19,11 +19,11 @@ SPU_EMU_INLINE __m128i only_odd(__m128i halves) {
 
 // Unsigned products fit a word exactly: 32-bit multiply of zero-extended halves.
 SPU_EMU_INLINE vec_uint4 even_halves(vec_ushort8 v) {
-  return (vec_uint4)only_even((__m128i)v);
+  return (vec_uint4)(is_big_endian ? _mm_srli_epi32((__m128i)v, 16) : only_even((__m128i)v));
 }
 
 SPU_EMU_INLINE vec_uint4 odd_halves(vec_ushort8 v) {
-  return (vec_uint4)_mm_srli_epi32((__m128i)v, 16);
+  return (vec_uint4)(is_big_endian ? only_odd((__m128i)v) : _mm_srli_epi32((__m128i)v, 16));
 }
 
 }  // namespace spu_emu::detail

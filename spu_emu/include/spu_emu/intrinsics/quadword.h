@@ -24,6 +24,7 @@ SPU_EMU_INLINE __m128i special_bytes(__m128i pattern) {
 // a, b and the result in a host order given by `flip`, which is XORed to every byte number; pattern[k] is for
 // the result's k-th byte in that same order.
 SPU_EMU_INLINE __m128i shuffle_bytes(__m128i a, __m128i b, __m128i pattern, int flip) {
+  if constexpr (is_big_endian) flip = 0;
   // pshufb gives zero where bit 7 is set and reads the low four bits elsewhere.
   const __m128i special = _mm_and_si128(pattern, _mm_set1_epi8(-128));
   const __m128i index = _mm_or_si128(
@@ -56,7 +57,7 @@ SPU_EMU_INLINE __m128i image_rotate_bytes(__m128i image, unsigned int count) {
 // Bit shifts work on two host-order doublewords in swapped places: lane 0 holds the quadword's low half.
 template <typename V>
 SPU_EMU_INLINE __m128i to_integer128(V v) {
-  if constexpr (lane_bytes<V> == 8)
+  if constexpr (lane_bytes<V> == 8 || is_big_endian)
     return _mm_shuffle_epi32((__m128i)v, _MM_SHUFFLE(1, 0, 3, 2));
   else if constexpr (lane_bytes<V> == 4)
     return _mm_shuffle_epi32((__m128i)v, _MM_SHUFFLE(0, 1, 2, 3));
@@ -66,7 +67,7 @@ SPU_EMU_INLINE __m128i to_integer128(V v) {
 
 template <typename V>
 SPU_EMU_INLINE V from_integer128(__m128i n) {
-  if constexpr (lane_bytes<V> == 8)
+  if constexpr (lane_bytes<V> == 8 || is_big_endian)
     return (V)_mm_shuffle_epi32(n, _MM_SHUFFLE(1, 0, 3, 2));
   else if constexpr (lane_bytes<V> == 4)
     return (V)_mm_shuffle_epi32(n, _MM_SHUFFLE(0, 1, 2, 3));

@@ -14,7 +14,9 @@ namespace spu_emu::detail {
 // Swaps between lanes of Width bytes and lanes of words, both in host order; its own inverse.
 template <int Width>
 SPU_EMU_INLINE __m128i lanes_as_words(__m128i v) {
-  if constexpr (Width == 1)
+  if constexpr (is_big_endian)
+    return v;
+  else if constexpr (Width == 1)
     return reverse_lanes<4>(v);
   else if constexpr (Width == 2)
     return _mm_shuffle_epi8(v, _mm_setr_epi8(2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13));

@@ -2,7 +2,16 @@
 #ifndef SPU_EMU_INTRINSICS_TRAITS_H
 #define SPU_EMU_INTRINSICS_TRAITS_H
 
+#ifdef __SSE4_1__
 #include <smmintrin.h>
+#else
+#include "spu_emu/intrinsics/generic_floats.h"
+#include "spu_emu/intrinsics/generic_shuffles.h"
+// The compares that need no mode of the processor.
+#ifndef SPU_EMU_PRECISE
+#define SPU_EMU_PRECISE 1
+#endif
+#endif
 #if defined(__AVX2__) || defined(__FMA__)
 #include <immintrin.h>
 #endif
@@ -18,6 +27,9 @@
 #define SPU_EMU_INLINE inline __attribute__((always_inline))
 
 namespace spu_emu::detail {
+
+// On a big-endian processor lanes of every width lie in memory as on the SPU.
+constexpr bool is_big_endian = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
 
 // Element: the scalar of one lane. Unsigned/Signed: the integer vectors with lanes of the same width, which
 // are the types of masks and of shift counts.

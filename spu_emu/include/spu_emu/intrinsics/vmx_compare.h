@@ -1,7 +1,7 @@
 // vmx2spu.h: compares, and the predicates vec_all_ and vec_any_, which give 1 or 0.
 //
-// An SPU knows no NaN: nothing is unordered, so "not greater" is "less or equal" and every element is
-// numeric.
+// Nothing is unordered on an SPU, so "not greater" is "less or equal". The questions for NaNs look at the
+// bits: exponent 255 is not numeric, and a NaN if its fraction is not zero. Only vec_all_nan is always 0.
 #ifndef SPU_EMU_INTRINSICS_VMX_COMPARE_H
 #define SPU_EMU_INTRINSICS_VMX_COMPARE_H
 
@@ -252,12 +252,21 @@ SPU_EMU_INLINE int vec_all_nlt(vec_float4 a, vec_float4 b) {
   return vec_all_ge(a, b);
 }
 
+namespace spu_emu::detail {
+
+SPU_EMU_INLINE vec_uint4 has_exponent_255(vec_float4 v) {
+  const vec_uint4 exponent = splat<vec_uint4>(0x7f800000U);
+  return spu_cmpeq((vec_uint4)v & exponent, exponent);
+}
+
+}  // namespace spu_emu::detail
+
 SPU_EMU_INLINE int vec_all_nan(vec_float4) {
   return 0;
 }
 
-SPU_EMU_INLINE int vec_all_numeric(vec_float4) {
-  return 1;
+SPU_EMU_INLINE int vec_all_numeric(vec_float4 a) {
+  return 1 - spu_emu::detail::any_set(spu_emu::detail::has_exponent_255(a));
 }
 
 SPU_EMU_INLINE int vec_any_nge(vec_float4 a, vec_float4 b) {
@@ -276,20 +285,24 @@ SPU_EMU_INLINE int vec_any_nlt(vec_float4 a, vec_float4 b) {
   return vec_any_ge(a, b);
 }
 
-SPU_EMU_INLINE int vec_any_nan(vec_float4) {
-  return 0;
+// As integers, the patterns of magnitudes are in order, and infinity's is the largest that is no NaN.
+SPU_EMU_INLINE int vec_any_nan(vec_float4 a) {
+  const vec_int4 size = (vec_int4)spu_emu::detail::magnitude(a);
+  return spu_emu::detail::any_set(spu_cmpgt(size, 0x7f800000));
 }
 
-SPU_EMU_INLINE int vec_any_numeric(vec_float4) {
-  return 1;
+SPU_EMU_INLINE int vec_any_numeric(vec_float4 a) {
+  return 1 - spu_emu::detail::all_set(spu_emu::detail::has_exponent_255(a));
 }
 
+// Any element outside the bounds -b to b. Nothing is within a bound whose sign bit is set, not even zero
+// within -0; vec_cmpb finds zero within it.
 SPU_EMU_INLINE int vec_any_out(vec_float4 a, vec_float4 b) {
-  const __m128i bounds = (__m128i)vec_cmpb(a, b);
-  return 1 - _mm_testz_si128(bounds, bounds);
+  const vec_uint4 no_bound = (vec_uint4)((vec_int4)b >> 31);
+  return spu_emu::detail::any_set(spu_cmpabsgt(a, b) | no_bound);
 }
 
-// Every element within the bounds -b to b.
+// Every element within the bounds.
 SPU_EMU_INLINE int vec_all_in(vec_float4 a, vec_float4 b) {
   return 1 - vec_any_out(a, b);
 }

@@ -35,15 +35,10 @@ SPU_EMU_INLINE void vec_st(V value, int offset, T* pointer) {
   _mm_store_si128(reinterpret_cast<__m128i*>(address), (__m128i)value);
 }
 
-// Only the addressed element is read, into its own place; the others, undefined on the PPU, are zero.
+// The whole quadword around the addressed element, as an SPU has no narrower load.
 template <typename T>
 SPU_EMU_INLINE spu_emu::detail::PointeeT<T> vec_lde(int offset, T* pointer) {
-  const std::uintptr_t address =
-      spu_emu::detail::offset_address(pointer, offset) & ~std::uintptr_t{sizeof(T) - 1};
-  spu_emu::detail::PointeeT<T> result = {};
-  std::memcpy(reinterpret_cast<char*>(&result) + (address & 15), reinterpret_cast<const void*>(address),
-              sizeof(T));
-  return result;
+  return vec_ld(offset, pointer);
 }
 
 template <typename V, typename T, typename = spu_emu::detail::IfStores<V, T>>

@@ -76,32 +76,17 @@ SPU_EMU_INLINE vec_short8 vec_mladd(vec_short8 a, vec_ushort8 b, vec_ushort8 c) 
   return vec_mladd(a, (vec_short8)b, (vec_short8)c);
 }
 
-namespace spu_emu::detail {
-
-// (product + rounding) >> 15 of every pair of halfwords, plus c, saturated; in two vectors of words.
-template <int Rounding>
-SPU_EMU_INLINE vec_short8 scaled_multiply_add(vec_short8 a, vec_short8 b, vec_short8 c) {
-  const __m128i x = (__m128i)a;
-  const __m128i y = (__m128i)b;
-  const __m128i z = (__m128i)c;
-  const auto half = [](__m128i p, __m128i q, __m128i r) {
-    const __m128i product = _mm_mullo_epi32(_mm_cvtepi16_epi32(p), _mm_cvtepi16_epi32(q));
-    const __m128i scaled = _mm_srai_epi32(_mm_add_epi32(product, _mm_set1_epi32(Rounding)), 15);
-    return _mm_add_epi32(scaled, _mm_cvtepi16_epi32(r));
-  };
-  const __m128i left = half(x, y, z);
-  const __m128i right = half(_mm_srli_si128(x, 8), _mm_srli_si128(y, 8), _mm_srli_si128(z, 8));
-  return (vec_short8)_mm_packs_epi32(left, right);
-}
-
-}  // namespace spu_emu::detail
-
+// The product shifted right by 15, as a halfword, and c, with saturation. The shift keeps 16 bits before the
+// sum: -32768 * -32768 gives -32768.
 SPU_EMU_INLINE vec_short8 vec_madds(vec_short8 a, vec_short8 b, vec_short8 c) {
-  return spu_emu::detail::scaled_multiply_add<0>(a, b, c);
+  const __m128i high = _mm_slli_epi16(_mm_mulhi_epi16((__m128i)a, (__m128i)b), 1);
+  const __m128i low = _mm_srli_epi16(_mm_mullo_epi16((__m128i)a, (__m128i)b), 15);
+  return vec_adds((vec_short8)_mm_or_si128(high, low), c);
 }
 
+// The same with the product rounded to the nearest, halves up.
 SPU_EMU_INLINE vec_short8 vec_mradds(vec_short8 a, vec_short8 b, vec_short8 c) {
-  return spu_emu::detail::scaled_multiply_add<0x4000>(a, b, c);
+  return vec_adds((vec_short8)_mm_mulhrs_epi16((__m128i)a, (__m128i)b), c);
 }
 
 // The products within each word and c, added modulo 2^32.
@@ -129,22 +114,9 @@ SPU_EMU_INLINE vec_uint4 vec_msums(vec_ushort8 a, vec_ushort8 b, vec_uint4 c) {
   return vec_adds(vec_adds(spu_mule(a, b), spu_mulo(a, b)), c);
 }
 
-namespace spu_emu::detail {
-
-SPU_EMU_INLINE int saturate_to_word(long long sum) {
-  return static_cast<int>(sum > INT32_MAX ? INT32_MAX : sum < INT32_MIN ? INT32_MIN : sum);
-}
-
-}  // namespace spu_emu::detail
-
-// The exact sum saturates once, so a sum of two products past the limit can come back with c.
+// Only the sum with c saturates; that of the two products wraps, which takes four factors of -32768.
 SPU_EMU_INLINE vec_int4 vec_msums(vec_short8 a, vec_short8 b, vec_int4 c) {
-  const vec_int4 even = spu_mule(a, b);
-  const vec_int4 odd = spu_mulo(a, b);
-  vec_int4 result;
-  for (int i = 0; i < 4; ++i)
-    result[i] = spu_emu::detail::saturate_to_word(static_cast<long long>(even[i]) + odd[i] + c[i]);
-  return result;
+  return vec_adds((vec_int4)_mm_madd_epi16((__m128i)a, (__m128i)b), c);
 }
 
 // The bytes or halfwords within each word, and b.
@@ -159,6 +131,14 @@ SPU_EMU_INLINE vec_int4 vec_sum4s(vec_char16 a, vec_int4 b) {
 SPU_EMU_INLINE vec_int4 vec_sum4s(vec_short8 a, vec_int4 b) {
   return vec_adds(vec_msum(a, spu_emu::detail::splat<vec_short8>(1), vec_int4{}), b);
 }
+
+namespace spu_emu::detail {
+
+SPU_EMU_INLINE int saturate_to_word(long long sum) {
+  return static_cast<int>(sum > INT32_MAX ? INT32_MAX : sum < INT32_MIN ? INT32_MIN : sum);
+}
+
+}  // namespace spu_emu::detail
 
 // The two words of each half and that half's last word of b; results in elements 1 and 3, zero elsewhere.
 SPU_EMU_INLINE vec_int4 vec_sum2s(vec_int4 a, vec_int4 b) {

@@ -57,7 +57,7 @@ Status SpeGroup::add_spe() {
 
 Status SpeGroup::load(unsigned index) {
   Spe& spe = *spes_[index];
-  if (spe_program_load(spe.context, &program_) == 0) return {};
+  if (spe_program_load(spe.context, &emulation_->image(program_)) == 0) return {};
   const std::string why = emulation_->fault(spe.context);
   return failed(index, why.empty() ? std::strerror(errno) : why);
 }

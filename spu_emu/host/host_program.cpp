@@ -1,0 +1,167 @@
+#include "host/host_program.h"
+
+#include <xmmintrin.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "mfc/format.h"
+
+namespace spu_emu {
+
+namespace {
+/// Round toward zero, denormals are zero, flush to zero, all exceptions masked: the SPU's single precision.
+constexpr unsigned kSpuMxcsr = 0xffc0;
+}  // namespace
+
+HostProgram::HostProgram(Spe& spe)
+    : spe_(spe),
+      store_(spe.arena(), spe.settings().code_reserve, spe.settings().stack_reserve),
+      services_(make_services(*this)) {}
+
+LoadResult HostProgram::load(Spe& spe, const spe_program_handle_t& handle) {
+  auto program = std::make_unique<HostProgram>(spe);
+  std::string error;
+  program->module_ = Module::load(handle, error);
+  if (!program->module_) return {nullptr, EINVAL, error};
+  if (!program->store_.place(program->module_->segments())) {
+    return {nullptr, ENOMEM,
+            "the program's data does not fit between code and stack reserve; raise the local store limit\n" +
+                program->store_.map()};
+  }
+  program->note_high_water();
+  return {std::move(program), 0, {}};
+}
+
+void HostProgram::enter(void* self) {
+  auto& program = *static_cast<HostProgram*>(self);
+  _mm_setcsr(kSpuMxcsr);
+  const Arguments& arguments = program.arguments_;
+  const int code = program.module_->run(program.services_, arguments.speid, arguments.argp, arguments.envp);
+  constexpr unsigned kExit = 0x2000;
+  program.services_.stop(self, kExit | (static_cast<unsigned>(code) & 0xffU), {});
+}
+
+Stop HostProgram::start(const Arguments& arguments) {
+  arguments_ = arguments;
+  fiber_.reset();
+  fiber_.emplace(spe_.arena().stack(), Arena::kStackSize, &HostProgram::enter, this);
+  return run_fiber();
+}
+
+Stop HostProgram::resume(unsigned int) {
+  return run_fiber();
+}
+
+Stop HostProgram::run_fiber() {
+  suspended_ = true;
+  entry_ += 4;
+  const unsigned outside = _mm_getcsr();
+  fiber_->resume();
+  _mm_setcsr(outside);
+  return stop_;
+}
+
+/// The C library's own calls: host programs call their C library directly, so nobody serves them here.
+int HostProgram::serve_library_call(const Stop&) {
+  return 1;
+}
+
+void HostProgram::stop_here(const Stop& stop) {
+  stop_ = stop;
+  fiber_->suspend();
+  _mm_setcsr(kSpuMxcsr);
+}
+
+void HostProgram::stop_for_good(const Stop& stop) {
+  suspended_ = false;
+  for (;;) stop_here(stop);
+}
+
+void HostProgram::note_fault(const Fault& fault) {
+  channels().abandon();
+  spe_.set_last_fault(fault.text());
+  fault_report_ = stop_report(fault.rule());
+}
+
+void HostProgram::stop_for_fault() {
+  stop_for_good({Stop::Kind::fault, 0, 0, fault_report_});
+}
+
+std::uint32_t HostProgram::ls_outside_arena(const volatile void* pointer, const Command& command) {
+  if (const auto ls = store_.address_of(pointer)) return *ls;
+  const auto address = reinterpret_cast<std::uintptr_t>(pointer);
+  if (store_.below_stack_reserve(pointer)) {
+    throw Fault(
+        Rule::stack_reserve,
+        format(
+            "the buffer at %#lx lies deeper on the stack than the reserve of %u bytes; raise stack_reserve",
+            address, spe_.settings().stack_reserve),
+        command);
+  }
+  throw Fault(
+      Rule::local_store_range,
+      format("the pointer %#lx is no local store address; buffers for DMA come from _malloc_align, are "
+             "globals of the SPU program, or lie on its stack (constants: raise code_reserve)",
+             address),
+      command);
+}
+
+void* HostProgram::allocate(std::size_t size, std::size_t alignment) {
+  if (const auto ls = store_.heap().allocate(size, alignment)) {
+    note_high_water();
+    return store_.arena().base() + *ls;
+  }
+  throw Fault(
+      Rule::local_store_full,
+      format(
+          "%zu bytes at a multiple of %zu do not fit any more; raise the local store limit or use less\n%s",
+          size, alignment, store_.map().c_str()));
+}
+
+void* HostProgram::reallocate(void* block, std::size_t size) {
+  if (block == nullptr) return allocate(size, 16);
+  if (!store_.in_arena(block)) return std::realloc(block, size);
+  const std::uint32_t old_size = store_.heap().size_of(store_.ls_of_arena(block));
+  void* moved = allocate(size, 16);
+  std::memcpy(moved, block, std::min<std::size_t>(old_size, size));
+  release(block);
+  return moved;
+}
+
+/// A block that the host's C library allocated on behalf of the program goes back there.
+void HostProgram::release(void* block) {
+  if (block == nullptr) return;
+  if (!store_.in_arena(block)) return std::free(block);
+  if (!store_.heap().release(store_.ls_of_arena(block))) {
+    throw Fault(Rule::local_store_range,
+                format("free of LS 0x%x, where no block begins", store_.ls_of_arena(block)));
+  }
+}
+
+std::uint32_t HostProgram::make_call_word(unsigned int opcode, void* data) {
+  const std::uint32_t address = data == nullptr ? 0 : ls_of(data, Command{});
+  if (data != nullptr && !store_.in_arena(data)) {
+    throw Fault(
+        Rule::local_store_range,
+        "the argument block of a library call must come from the heap: the handler reads it through the "
+        "local store area");
+  }
+  auto* word = static_cast<std::byte*>(allocate(16, 16));
+  const std::uint32_t value = (opcode << 24U) | address;
+  std::memcpy(word, &value, sizeof value);
+  return store_.ls_of_arena(word);
+}
+
+void HostProgram::free_call_word(std::uint32_t ls) {
+  store_.heap().release(ls);
+}
+
+void HostProgram::note_high_water() {
+  high_water_.store(std::max(high_water_.load(std::memory_order_relaxed), store_.high_water()),
+                    std::memory_order_relaxed);
+}
+
+}  // namespace spu_emu

@@ -1,0 +1,79 @@
+// A program of the host engine: a module of this machine's code on a stack of its own.
+#ifndef SPU_EMU_HOST_HOST_PROGRAM_H
+#define SPU_EMU_HOST_HOST_PROGRAM_H
+
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include "host/fiber.h"
+#include "host/host_local_store.h"
+#include "host/module.h"
+#include "libspe2/load_program.h"
+#include "libspe2/spe.h"
+#include "spu_emu/services.h"
+
+namespace spu_emu {
+
+class HostProgram final : public Program {
+ public:
+  static LoadResult load(Spe& spe, const spe_program_handle_t& handle);
+  explicit HostProgram(Spe& spe);
+
+  HostLocalStore& store() override { return store_; }
+  std::uint32_t store_size() const override { return spe_.arena().local_store_size(); }
+  Stop start(const Arguments& arguments) override;
+  Stop resume(unsigned int entry) override;
+  bool can_resume(unsigned int entry) const override { return suspended_ && entry == entry_; }
+  unsigned int resume_entry() const override { return entry_; }
+  unsigned int entry_after_call() const override { return entry_; }
+  int serve_library_call(const Stop& call) override;
+  std::uint32_t high_water() const override { return high_water_.load(std::memory_order_relaxed); }
+  std::string map() const override { return store_.map(); }
+
+  // The program's side, called on its stack.
+  SpuChannels& channels() { return spe_.channels(); }
+  void stop_here(const Stop& stop);
+  [[noreturn]] void stop_for_good(const Stop& stop);
+  /// Remembers a fault as the reason of the stop to come; whatever is in flight never lands.
+  void note_fault(const Fault& fault);
+  /// Ends the program for the fault noted.
+  [[noreturn]] void stop_for_fault();
+  /// The LS address of a program's pointer. Throws Fault if it is none.
+  std::uint32_t ls_of(const volatile void* pointer, const Command& command) {
+    if (store_.in_arena(pointer)) return store_.ls_of_arena(pointer);
+    return ls_outside_arena(pointer, command);
+  }
+  /// The three allocation functions throw Fault when the local store is full or a block unknown.
+  void* allocate(std::size_t size, std::size_t alignment);
+  void* reallocate(void* block, std::size_t size);
+  void release(void* block);
+  /// Writes the argument word of a library call into the local store; its LS address.
+  std::uint32_t make_call_word(unsigned int opcode, void* data);
+  void free_call_word(std::uint32_t ls);
+
+ private:
+  static void enter(void* self);
+  std::uint32_t ls_outside_arena(const volatile void* pointer, const Command& command);
+  Stop run_fiber();
+  void note_high_water();
+
+  Spe& spe_;
+  HostLocalStore store_;
+  HostServices services_;
+  std::unique_ptr<Module> module_;
+  std::optional<Fiber> fiber_;
+  Arguments arguments_;
+  Stop stop_;
+  bool suspended_ = false;
+  unsigned int entry_ = 0;
+  StopReport fault_report_{};
+  std::atomic<std::uint32_t> high_water_{0};
+};
+
+/// The table of functions by which a program module reaches `program`.
+HostServices make_services(HostProgram& program);
+
+}  // namespace spu_emu
+
+#endif

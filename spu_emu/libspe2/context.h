@@ -1,0 +1,53 @@
+// What a libspe2 context is: an SPE and what the library keeps about it.
+#ifndef SPU_EMU_LIBSPE2_CONTEXT_H
+#define SPU_EMU_LIBSPE2_CONTEXT_H
+
+#include <libspe2.h>
+
+#include <atomic>
+#include <deque>
+#include <mutex>
+
+#include "libspe2/spe.h"
+
+namespace spu_emu {
+
+/// Notified by every change in any SPE that an event handler may wait for.
+WaitPoint& event_point();
+
+/// Takes a context out of all event handlers.
+void forget_in_event_handlers(spe_context_ptr_t spe);
+
+/// The handler of library call 0x2100 + `number`, or null.
+using LibraryCall = int (*)(void* ls_base, unsigned int word_address);
+LibraryCall library_call(unsigned int number);
+
+/// Sets errno and returns -1.
+inline int fail(int error) {
+  errno = error;
+  return -1;
+}
+
+}  // namespace spu_emu
+
+struct spe_gang_context {
+  std::atomic<int> members{0};
+};
+
+struct spe_context {
+  spe_context(unsigned int flags_, spe_gang_context_ptr_t gang_, const spu_emu::EmulationSettings& settings)
+      : flags(flags_), gang(gang_), spe(settings, flags_, &spu_emu::event_point()) {}
+
+  bool events_enabled() const { return (flags & SPE_EVENTS_ENABLE) != 0; }
+
+  const unsigned int flags;
+  spe_gang_context_ptr_t const gang;
+  spu_emu::Spe spe;
+  std::atomic<bool> running{false};
+  std::mutex stop_mutex;
+  std::deque<spe_stop_info_t> stops;
+  /// Proxy tags used and not yet reported done; under the proxy mutex.
+  unsigned int used_tags = 0;
+};
+
+#endif

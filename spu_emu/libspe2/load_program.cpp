@@ -1,0 +1,30 @@
+#include "libspe2/load_program.h"
+
+#include <cerrno>
+
+#include "isa/isa_program.h"
+#include "libspe2/program_image.h"
+#ifdef SPU_EMU_HOST_ENGINE
+#include "host/host_program.h"
+#endif
+
+namespace spu_emu {
+
+LoadResult load_program(Spe& spe, const spe_program_handle_t& handle) {
+  const ImageKind kind = handle.elf_image == nullptr ? ImageKind::none : image_kind(handle.elf_image);
+  switch (kind) {
+    case ImageKind::host_module:
+#ifdef SPU_EMU_HOST_ENGINE
+      return HostProgram::load(spe, handle);
+#else
+      return {nullptr, ENOTSUP, "programs compiled for x86-64 do not run here"};
+#endif
+    case ImageKind::spu_elf:
+      return isa::IsaProgram::load(spe, handle);
+    case ImageKind::none:
+      break;
+  }
+  return {nullptr, EINVAL, "the image is no ELF file of an SPU program"};
+}
+
+}  // namespace spu_emu

@@ -1,0 +1,96 @@
+#include "libspe2/trace.h"
+
+#include <algorithm>
+#include <ostream>
+#include <set>
+
+#include "mfc/format.h"
+
+namespace spu_emu {
+
+namespace {
+double microseconds(TraceTime::duration time) {
+  return std::chrono::duration<double, std::micro>(time).count();
+}
+
+/// File names may hold anything; the rest of the trace is made of plain names and numbers.
+std::string escaped(const char* text) {
+  std::string result;
+  for (; *text != '\0'; ++text) {
+    const auto c = static_cast<unsigned char>(*text);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += *text;
+    } else if (c < 0x20) {
+      result += format("\\u%04x", c);
+    } else {
+      result += *text;
+    }
+  }
+  return result;
+}
+
+void write_row_name(std::ostream& out, unsigned spe) {
+  out << format(R"({"ph":"M","name":"thread_name","pid":1,"tid":%u,"args":{"name":"SPE %u"}},)", spe, spe)
+      << '\n';
+}
+
+void write_span(std::ostream& out, const TraceSpan& span, TraceTime start) {
+  out << format(R"({"ph":"X","name":"%s","cat":"spe","pid":1,"tid":%u,"ts":%.3f,"dur":%.3f,"args":{%s}})",
+                span.name.c_str(), span.spe, microseconds(span.begin - start),
+                microseconds(span.end - span.begin), span.arguments.c_str());
+}
+}  // namespace
+
+Trace& Trace::instance() {
+  static Trace trace;
+  return trace;
+}
+
+void Trace::add(TraceSpan span) {
+  const std::lock_guard lock(mutex_);
+  spans_.push_back(std::move(span));
+}
+
+void Trace::write(std::ostream& out) {
+  std::vector<TraceSpan> spans;
+  {
+    const std::lock_guard lock(mutex_);
+    spans.swap(spans_);
+  }
+  std::stable_sort(spans.begin(), spans.end(), [](const TraceSpan& a, const TraceSpan& b) {
+    return a.begin != b.begin ? a.begin < b.begin : a.end > b.end;
+  });
+  const TraceTime start = spans.empty() ? TraceTime{} : spans.front().begin;
+  std::set<unsigned> rows;
+  for (const TraceSpan& span : spans) rows.insert(span.spe);
+  out << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n";
+  for (const unsigned spe : rows) write_row_name(out, spe);
+  for (const TraceSpan& span : spans) {
+    write_span(out, span, start);
+    out << ",\n";
+  }
+  out << R"({"ph":"M","name":"process_name","pid":1,"args":{"name":"spu_emu"}})"
+      << "\n]}\n";
+}
+
+void SpeTrace::transfer(const Command& command, TraceTime issued, TraceTime begin) {
+  std::string arguments =
+      format(R"("tag":%u,"size":%u,"ls":"0x%x","ea":"0x%llx","in_flight_us":%.3f)", command.tag, command.size,
+             command.ls, static_cast<unsigned long long>(command.ea), microseconds(begin - issued));
+  if (command.where.file != nullptr) {
+    arguments += format(R"(,"source":"%s:%d")", escaped(command.where.file).c_str(), command.where.line);
+  }
+  Trace::instance().add(
+      {spe_, command_name(command.opcode), begin, std::chrono::steady_clock::now(), std::move(arguments)});
+}
+
+void SpeTrace::wait(const char* what, TraceTime begin) {
+  Trace::instance().add({spe_, what, begin, std::chrono::steady_clock::now(), ""});
+}
+
+void SpeTrace::run(TraceTime begin) {
+  Trace::instance().add({spe_, "run", begin, std::chrono::steady_clock::now(), ""});
+}
+
+}  // namespace spu_emu

@@ -1,0 +1,193 @@
+// spu-run: runs one SPU program alone, as if it were a program of this machine.
+#include <libspe2.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "isa/elf_loader.h"
+#include "spu_emu/emulation.h"
+#include "tools/spu_arguments.h"
+
+namespace {
+
+/// Exit codes that do not come from the program.
+enum ExitCode { kUsage = 124, kFault = 125, kNoProgram = 126, kNoFile = 127 };
+
+constexpr const char* kFooter =
+    "Exit codes: the program's own; 124 bad usage; 125 the program broke a rule, halted or stopped with a "
+    "code that\n"
+    "nobody here serves; 126 the file is no SPU program or does not fit; 127 the file cannot be read.\n\n"
+    "main(argc, argv) of programs linked with -mstdmain gets the arguments. main(speid, argp, envp) of "
+    "others gets in\n"
+    "argp the address of the arguments (the program's name first), each ended by a NUL, to be fetched by "
+    "DMA, and in\n"
+    "envp their size, a multiple of 16.\n\n"
+    "Examples:\n"
+    "  spu-run hello.elf\n"
+    "  spu-run --stats --dma late --seed 7 kernel.elf input.txt 100\n"
+    "  spu-run --no-files --max-instructions 1000000000 stranger.elf\n"
+    "  spu-run --trace run.json kernel.elf        (opens in Perfetto)\n";
+
+struct Options {
+  spu_emu::EmulationSettings settings;
+  bool statistics = false;
+  std::string trace;
+  std::vector<std::string> command;
+};
+
+struct Failure : std::runtime_error {
+  Failure(int code_, const std::string& text) : std::runtime_error(text), code(code_) {}
+  int code;
+};
+
+void add_options(CLI::App& app, Options& options) {
+  using spu_emu::DmaMode;
+  static const std::map<std::string, DmaMode> modes{
+      {"eager", DmaMode::eager}, {"late", DmaMode::late}, {"unchecked", DmaMode::unchecked}};
+  app.prefix_command();
+  app.footer(kFooter);
+  app.add_flag("--stats", options.statistics,
+               "Print instructions, speed and DMA counts on stderr at the end");
+  app.add_option("--trace", options.trace, "Write a timeline in Chrome's JSON format")->type_name("FILE");
+  app.add_flag_callback(
+      "--no-files", [&options] { options.settings.library_calls = spu_emu::LibraryCallAccess::console; },
+      "Refuse to open files of this machine; printf and the standard streams still work");
+  app.add_option("--max-instructions", options.settings.instruction_limit, "Stop after so many instructions");
+  app.add_option("--dma", options.settings.dma_mode,
+                 "When bytes of a transfer move: eager, late or unchecked")
+      ->transform(CLI::CheckedTransformer(modes, CLI::ignore_case).description(""))
+      ->type_name("MODE")
+      ->default_str("eager");
+  app.add_option("--seed", options.settings.seed, "Order of landing of late transfers");
+  app.add_option("--local-store", options.settings.local_store_limit,
+                 "Local store of this size, 256K at most")
+      ->transform(CLI::AsSizeValue(false).description(""))
+      ->type_name("SIZE");
+}
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+std::vector<char> read_program(const std::string& name) {
+  constexpr std::size_t kStep = 65536;
+  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(name.c_str(), "rb"));
+  std::vector<char> bytes;
+  std::size_t got = file ? kStep : 0;
+  while (got == kStep) {
+    bytes.resize(bytes.size() + kStep);
+    got = std::fread(bytes.data() + bytes.size() - kStep, 1, kStep, file.get());
+    bytes.resize(bytes.size() - kStep + got);
+  }
+  if (!file || std::ferror(file.get()) != 0) throw Failure(kNoFile, name + ": " + std::strerror(errno));
+  return bytes;
+}
+
+/// Ends the context with itself.
+struct ContextDeleter {
+  void operator()(spe_context_ptr_t spe) const { spe_context_destroy(spe); }
+};
+using Context = std::unique_ptr<spe_context, ContextDeleter>;
+
+Context load(std::vector<char>& file, const std::string& name) {
+  const auto elf = spu_emu::isa::read_elf(std::as_bytes(std::span(file)));
+  if (!elf.program) throw Failure(kNoProgram, name + ": " + elf.error);
+  Context context(spe_context_create(SPE_EVENTS_ENABLE, nullptr));
+  if (!context) throw Failure(kNoProgram, std::string("no SPE: ") + std::strerror(errno));
+  spe_program_handle_t program{sizeof program, file.data(), nullptr};
+  if (spe_program_load(context.get(), &program) != 0) {
+    throw Failure(kNoProgram, name + ": " + spu_emu::last_fault(context.get()));
+  }
+  return context;
+}
+
+/// Runs to the end; the exit code for the shell.
+int run(spe_context_ptr_t spe, spu_emu::SpuArguments& arguments) {
+  unsigned int entry = SPE_DEFAULT_ENTRY;
+  spe_stop_info_t stop{};
+  const int result =
+      spe_context_run(spe, &entry, SPE_RUN_USER_REGS, arguments.registers().data(), nullptr, &stop);
+  std::fflush(stdout);
+  if (result == 0 && stop.stop_reason == SPE_EXIT) return stop.result.spe_exit_code;
+  std::string what = spu_emu::last_fault(spe);
+  if (stop.stop_reason == SPE_STOP_AND_SIGNAL) {
+    what = "the program stopped with code " + std::to_string(stop.result.spe_signal_code) +
+           ", and no host program is there to go on with it\n" + spu_emu::where(spe);
+  }
+  if (stop.stop_reason == SPE_CALLBACK_ERROR)
+    what = "the program made a library call that cannot be served here\n" + spu_emu::where(spe);
+  std::fprintf(stderr, "spu-run: %s\n%s", what.c_str(), spu_emu::registers(spe).c_str());
+  return kFault;
+}
+
+void print_statistics(spe_context_ptr_t spe, double seconds) {
+  const spu_emu::SpeStatistics s = spu_emu::statistics(spe);
+  const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
+  std::fprintf(stderr, "instructions     %llu\n", number(s.instructions));
+  std::fprintf(stderr, "seconds          %.3f (%.1f million instructions a second)\n", seconds,
+               static_cast<double>(s.instructions) / seconds / 1e6);
+  std::fprintf(stderr, "gets             %llu (%llu bytes)\n", number(s.gets), number(s.bytes_in));
+  std::fprintf(stderr, "puts             %llu (%llu bytes)\n", number(s.puts), number(s.bytes_out));
+  std::fprintf(stderr, "list elements    %llu\n", number(s.list_elements));
+  std::fprintf(stderr, "waits for tags   %llu\n", number(s.tag_waits));
+  std::fprintf(stderr, "atomics          %llu (%llu failed)\n", number(s.atomics), number(s.failed_atomics));
+  std::fprintf(stderr, "local store      %u bytes in use at most\n", s.local_store_high_water);
+}
+
+void write_trace(const std::string& name) {
+  std::ofstream file(name);
+  spu_emu::write_trace(file);
+  file.close();
+  if (!file) throw Failure(kUsage, name + ": the timeline cannot be written");
+}
+
+int run_command(Options& options) {
+  options.settings.trace = !options.trace.empty();
+  options.settings.code_reserve = 0;  // The file says what its code takes.
+  const spu_emu::SettingsScope scope(options.settings);
+  std::vector<char> file = read_program(options.command.front());
+  const Context context = load(file, options.command.front());
+  spu_emu::SpuArguments arguments(spu_emu::main_kind(std::as_bytes(std::span(file))), options.command,
+                                  static_cast<std::uint32_t>(spe_ls_size_get(context.get())));
+  const auto begin = std::chrono::steady_clock::now();
+  const int code = run(context.get(), arguments);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  if (options.statistics) print_statistics(context.get(), time.count());
+  if (!options.trace.empty()) write_trace(options.trace);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app(
+      "Runs an SPU ELF program by itself, instruction by instruction.\n"
+      "usage: spu-run [OPTIONS] PROGRAM.elf [ARGUMENTS...]");
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+    options.command = app.remaining();
+    if (options.command.empty()) throw CLI::RequiredError("PROGRAM.elf");
+    if (options.command.front().starts_with('-')) throw CLI::ExtrasError({options.command.front()});
+    return run_command(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kUsage;
+  } catch (const Failure& failure) {
+    std::fprintf(stderr, "spu-run: %s\n", failure.what());
+    return failure.code;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "spu-run: %s\n", error.what());
+    return kUsage;
+  }
+}

@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <utility>
+
+#include "broadphase/text.h"
+#include "engines/cell/emulation.h"
+
+namespace cellsweep::cell {
+namespace {
+
+constexpr std::uint64_t kLocalStore = 256 * 1024;
+// As the emulation counts for code, variables and stack, so that engines hold as many bodies here as there.
+constexpr std::uint64_t kCode = 48 * 1024;
+constexpr std::uint64_t kData = 4096;
+constexpr std::uint64_t kStack = 16 * 1024;
+
+/// SPEs of the machine. The library tells neither what they transferred nor, in words, why one stopped.
+class HardwareSpes final : public Emulation {
+ public:
+  LocalStoreBudget local_store() const override { return {kLocalStore, kCode, kData, kStack}; }
+  spe_program_handle_t& image(spe_program_handle_t& program) const override { return program; }
+  spe_context_ptr_t create_context(unsigned flags) override { return spe_context_create(flags, nullptr); }
+  SpeCounts counts(spe_context_ptr_t) const override { return {}; }
+  std::string fault(spe_context_ptr_t) const override { return {}; }
+};
+
+Status refusal(const char* option, const char* why) {
+  return {StatusCode::bad_option, text(option, ": ", why), std::nullopt, 0, 0, option};
+}
+
+}  // namespace
+
+SpeCounts& SpeCounts::operator+=(const SpeCounts& more) {
+  gets += more.gets;
+  puts += more.puts;
+  bytes_in += more.bytes_in;
+  bytes_out += more.bytes_out;
+  list_elements += more.list_elements;
+  local_store_high_water = std::max(local_store_high_water, more.local_store_high_water);
+  return *this;
+}
+
+Result<std::shared_ptr<Emulation>> make_emulation(const EngineOptions& options) {
+  if (options.spe_engine != SpeEngine::host)
+    return refusal("spe_engine", "this machine has SPEs of its own.");
+  if (options.dma != DmaMode::eager)
+    return refusal("dma", "the SPEs of this machine decide when bytes move.");
+  if (options.local_store_bytes != kLocalStore)
+    return refusal("local_store_bytes", "the SPEs of this machine have 256 KB.");
+  if (!options.trace_file.empty()) return refusal("trace_file", "the SPEs of this machine keep no timeline.");
+  return std::shared_ptr<Emulation>(std::make_shared<HardwareSpes>());
+}
+
+}  // namespace cellsweep::cell

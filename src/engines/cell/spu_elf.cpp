@@ -1,0 +1,27 @@
+#include "engines/cell/spu_elf.h"
+
+extern "C" spe_program_handle_t cell_paper_spu, cell_brute_spu, cell_resident_spu;
+#if defined(SPU_EMU_HAS_ELF)
+extern "C" spe_program_handle_t cell_paper_spu_elf, cell_brute_spu_elf, cell_resident_spu_elf;
+#endif
+
+namespace cellsweep::cell {
+
+bool has_spu_elf() {
+#if defined(SPU_EMU_HAS_ELF)
+  return true;
+#else
+  return false;
+#endif
+}
+
+spe_program_handle_t* spu_elf_of([[maybe_unused]] const spe_program_handle_t& program) {
+#if defined(SPU_EMU_HAS_ELF)
+  if (&program == &cell_paper_spu) return &cell_paper_spu_elf;
+  if (&program == &cell_brute_spu) return &cell_brute_spu_elf;
+  if (&program == &cell_resident_spu) return &cell_resident_spu_elf;
+#endif
+  return nullptr;
+}
+
+}  // namespace cellsweep::cell

@@ -1,0 +1,15 @@
+# Runs a program and compares exit code and output:
+#   cmake -DCOMMAND=<list> -DCODE=<exit code> [-DOUTPUT=<file>] [-DERRORS=<regular expression>] -P run_program.cmake
+execute_process(COMMAND ${COMMAND} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors TIMEOUT 60)
+if(NOT code STREQUAL CODE)
+  message(FATAL_ERROR "exit code ${code}, expected ${CODE}\n${output}${errors}")
+endif()
+if(OUTPUT)
+  file(READ ${OUTPUT} expected)
+  if(NOT output STREQUAL expected)
+    message(FATAL_ERROR "printed\n${output}\nexpected\n${expected}")
+  endif()
+endif()
+if(ERRORS AND NOT errors MATCHES "${ERRORS}")
+  message(FATAL_ERROR "the messages do not match ${ERRORS}:\n${errors}")
+endif()
