@@ -22,7 +22,8 @@ enum class DmaMode {
 /// What executes the programs of a Cell engine's SPEs.
 enum class SpeEngine {
   host,  ///< the program compiled for this machine, a thread for each SPE
-  isa    ///< the program compiled for a real SPU, instruction by instruction; needs a build with the SPU compiler
+  isa    ///< the program compiled for a real SPU, instruction by instruction; needs a build with the SPU
+         ///< compiler
 };
 
 /// Settings of all engines; an engine reads those that it names and ignores the others.

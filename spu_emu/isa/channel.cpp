@@ -11,7 +11,9 @@ namespace {
 /// The host's floating-point mode for as long as code of the host runs.
 class HostFloatMode {
  public:
-  explicit HostFloatMode(const State& state) : spu_(float_control()) { set_float_control(state.host_float_control); }
+  explicit HostFloatMode(const State& state) : spu_(float_control()) {
+    set_float_control(state.host_float_control);
+  }
   ~HostFloatMode() { set_float_control(spu_); }
   HostFloatMode(const HostFloatMode&) = delete;
   HostFloatMode& operator=(const HostFloatMode&) = delete;

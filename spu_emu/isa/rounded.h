@@ -29,8 +29,9 @@ constexpr std::uint32_t flags_of(bool invalid, bool overflow, bool underflow, bo
   return (overflow ? kOverflow : 0U) | (underflow ? kUnderflow : 0U) | (inexact ? kInexact : 0U);
 }
 
-/// operation(a, b, c) on scalars in the FPSCR's rounding mode `mode`. Operands and result pass through the changes of
-/// mode, which keeps the compiler from moving the operation out of them. Leaves the SPU's mode behind.
+/// operation(a, b, c) on scalars in the FPSCR's rounding mode `mode`. Operands and result pass through the
+/// changes of mode, which keeps the compiler from moving the operation out of them. Leaves the SPU's mode
+/// behind.
 template <class Operation>
 std::uint64_t rounded(Operation operation, unsigned mode, const std::uint64_t (&operands)[3],
                       std::uint32_t& flags) {

@@ -7,8 +7,8 @@
 #include "isa/decoder.h"
 #include "isa/handlers.h"
 #include "isa/opcodes.h"
-#include "test_machine.h"
 #include "mfc/byte_order.h"
+#include "test_machine.h"
 
 namespace spu_emu::isa {
 namespace {
