@@ -14,5 +14,12 @@ endfunction()
 # cellsweep_quick_to_compile(TARGET): for targets whose own code is not what anybody waits for, above all tests and
 # the command line: little optimisation, in builds that have any.
 function(cellsweep_quick_to_compile target)
-  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
+  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:${CELLSWEEP_QUICK_OPTIMISATION}>)
 endfunction()
+
+# What clang's optimiser takes longest over is the checks that the sanitizers put in.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CELLSWEEP_SANITIZE)
+  set(CELLSWEEP_QUICK_OPTIMISATION -O0)
+else()
+  set(CELLSWEEP_QUICK_OPTIMISATION -O1)
+endif()
