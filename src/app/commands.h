@@ -15,6 +15,8 @@ void add_record(CLI::App& program, ExitCode& exit_code);
 void add_verify(CLI::App& program, ExitCode& exit_code);
 void add_engines(CLI::App& program, ExitCode& exit_code);
 void add_local_store(CLI::App& program, ExitCode& exit_code);
+void add_experiment(CLI::App& program, ExitCode& exit_code);
+void add_render(CLI::App& program, ExitCode& exit_code);
 void add_demo(CLI::App& program, ExitCode& exit_code);
 
 }  // namespace cellsweep::app

@@ -27,12 +27,16 @@ int main(int argc, char** argv) {
   add_verify(program, exit_code);
   add_engines(program, exit_code);
   add_local_store(program, exit_code);
+  add_experiment(program, exit_code);
+  add_render(program, exit_code);
   add_demo(program, exit_code);
   program.footer(
       "Examples:\n"
       "  cellsweep simulate --scene paper --bodies 1024 --frames 1000\n"
       "  cellsweep replay bench/scenes/bullet-pile-1024.aabbs --json\n"
       "  cellsweep verify --scene varied --bodies 500 --moving 1\n"
+      "  cellsweep experiment --out results\n"
+      "  cellsweep render --scene paper --frame 100 --out scene.png\n"
       "Exit codes: 0 good, 1 results differ from the oracle, 2 bad usage or input, 3 over an engine's "
       "capacity, 4 an SPE failed.");
   try {

@@ -1,9 +1,11 @@
 # Finds what the chosen parts need and keeps a table of it for the end of the configuration.
 
-# cellsweep_package(NAME DEBIAN_PACKAGE USED_FOR [REQUIRED]): find_package(NAME) quietly, one row in the table.
-# What is required and missing is said with the package to install.
+# cellsweep_package(NAME DEBIAN_PACKAGE USED_FOR [REQUIRED] [VERSION]): find_package(NAME) quietly, one row in the
+# table. What is required and missing is said with the package to install.
 macro(cellsweep_package name debian used_for)
-  find_package(${name} QUIET)
+  set(cellsweep_package_version ${ARGN})
+  list(REMOVE_ITEM cellsweep_package_version REQUIRED)
+  find_package(${name} ${cellsweep_package_version} QUIET)
   if(${name}_FOUND)
     list(APPEND CELLSWEEP_PACKAGE_TABLE "found    ${name} ${${name}_VERSION}: ${used_for}")
   else()
@@ -25,6 +27,14 @@ macro(cellsweep_find_packages)
   endif()
   if(CELLSWEEP_BUILD_APP)
     cellsweep_package(CLI11 libcli11-dev "the command line" REQUIRED)
+  endif()
+  set(CELLSWEEP_EMBREE OFF)
+  if(CELLSWEEP_WITH_EMBREE AND NOT CMAKE_CROSSCOMPILING)
+    cellsweep_package(embree libembree-dev "engine embree, pictures" 3)
+    set(CELLSWEEP_EMBREE ${embree_FOUND})
+    if(CELLSWEEP_BUILD_APP OR CELLSWEEP_BUILD_TESTS)
+      cellsweep_package(PNG libpng-dev "pictures")
+    endif()
   endif()
   if(CELLSWEEP_BUILD_TESTS AND NOT CMAKE_CROSSCOMPILING)
     cellsweep_package(GTest "libgtest-dev libgmock-dev" "tests" REQUIRED)

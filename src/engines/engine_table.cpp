@@ -9,6 +9,9 @@
 #ifdef CELLSWEEP_CELL_ENGINES
 #include "engines/cell/cell_engines.h"
 #endif
+#ifdef CELLSWEEP_EMBREE
+#include "engines/embree/embree_engine.h"
+#endif
 
 namespace cellsweep {
 namespace {
@@ -39,6 +42,10 @@ constexpr std::array kEntries = {
            "SPU programs that stay alive, keep the pairs' status, and are told only what changed"},
           make_cell_resident,
           cell_resident_map},
+#endif
+#ifdef CELLSWEEP_EMBREE
+    Entry{{"embree", "for comparison: a ray tracer's tree over all boxes, built anew and run against itself"},
+          make_embree},
 #endif
 };
 

@@ -35,10 +35,10 @@ ScratchFolder::~ScratchFolder() {
   std::filesystem::remove_all(folder_);
 }
 
-CommandResult run_command(const std::string& arguments) {
+CommandResult run_command(const std::string& arguments, const std::string& environment) {
   const ScratchFolder scratch;
-  const std::string line = text(CELLSWEEP_COMMAND, " ", arguments, " >", scratch.path("output"), " 2>",
-                                scratch.path("errors"), " </dev/null");
+  const std::string line = text(environment, " ", CELLSWEEP_COMMAND, " ", arguments, " >",
+                                scratch.path("output"), " 2>", scratch.path("errors"), " </dev/null");
   const int status = std::system(line.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(scratch.path("output")),
           contents(scratch.path("errors"))};

@@ -13,8 +13,8 @@ struct CommandResult {
   std::string errors;  ///< standard error
 };
 
-/// Runs `cellsweep ARGUMENTS` through the shell.
-CommandResult run_command(const std::string& arguments);
+/// Runs `cellsweep ARGUMENTS` through the shell, with `environment` ("NAME=VALUE ...") in front.
+CommandResult run_command(const std::string& arguments, const std::string& environment = {});
 
 /// A folder of this test's own, empty at the start and removed at the end.
 class ScratchFolder {

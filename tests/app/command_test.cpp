@@ -26,7 +26,7 @@ TEST(Command, SaysHowItIsUsedWithExamplesAndExitCodes) {
 
 TEST(Command, GivesEverySubcommandAHelpPage) {
   for (const std::string name :
-       {"simulate", "replay", "record", "verify", "engines", "local-store", "demo"}) {
+       {"simulate", "replay", "record", "verify", "engines", "local-store", "demo", "experiment", "render"}) {
     const CommandResult result = run_command(name + " --help");
     EXPECT_EQ(result.exit_code, 0) << name;
     EXPECT_THAT(result.output, HasSubstr("--help")) << name;

@@ -1,0 +1,86 @@
+#include <filesystem>
+
+#include "app/commands.h"
+#include "app/output.h"
+#include "broadphase/text.h"
+#include "report/experiment/experiment_page.h"
+#include "report/experiment/findings.h"
+#include "report/gnuplot.h"
+#include "report/text_file.h"
+
+namespace cellsweep::app {
+namespace {
+
+constexpr std::size_t kQuickFrames = 60;
+constexpr unsigned kQuickRepetitions = 2;
+
+struct ExperimentCommand {
+  report::ExperimentSettings settings;
+  std::filesystem::path out;
+  bool quick = false;
+  bool frames_given = false;
+  bool repetitions_given = false;
+
+  ExitCode run() {
+    if (quick && !frames_given) settings.frames = kQuickFrames;
+    if (quick && !repetitions_given) settings.repetitions = kQuickRepetitions;
+    if (const Status status = report::find_gnuplot(); !status.ok()) return complain(status);
+    if (const Status status = report::make_folder(out); !status.ok()) return complain(status);
+    const auto results = report::run_experiment(settings);
+    if (!results) return complain(results.status());
+    const Status drawn = report::draw_scene(results->settings, quick, out / "scene.png");
+    const std::filesystem::path picture = drawn.ok() ? out / "scene.png" : "";
+    if (const Status status = report::write_experiment(*results, out, picture); !status.ok())
+      return complain(status);
+    print(*results, drawn);
+    return results->wrong.empty() ? kGood : kResultsDiffer;
+  }
+
+ private:
+  void print(const report::ExperimentResults& results, const Status& drawn) const {
+    for (const report::Finding& finding : report::judge(results)) {
+      print_text(
+          text(finding.claim, "\n  ", report::verdict_text(finding.verdict), ". ", finding.text, "\n\n"));
+    }
+    for (const std::string& sentence : results.left_out) print_text(sentence + "\n");
+    for (const std::string& sentence : results.wrong) print_text(sentence + "\n");
+    if (!drawn.ok()) print_text("The page is without a picture. " + drawn.message + "\n");
+    print_text(
+        text("The page: ", std::filesystem::absolute(out / "report.html").lexically_normal().string(), "\n"));
+  }
+};
+
+}  // namespace
+
+void add_experiment(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command = program.add_subcommand(
+      "experiment",
+      "Redo the document's experiment: figures, their numbers, and a page that tells what holds");
+  auto experiment = std::make_shared<ExperimentCommand>();
+  auto& settings = experiment->settings;
+  command->add_option("--out", experiment->out, "Folder for report.html, CSV, SVG and PNG files")->required();
+  command->add_flag("--quick", experiment->quick,
+                    "60 frames, 2 repetitions: within 20 seconds, and less exact");
+  command->add_option("--bodies", settings.bodies, "Numbers of boxes, separated by commas")
+      ->delimiter(',')
+      ->type_name("N[,N...]")
+      ->capture_default_str();
+  auto* frames =
+      command->add_option("--frames", settings.frames, "Frames of each kind")->capture_default_str();
+  auto* repetitions =
+      command->add_option("--repetitions", settings.repetitions, "Times that every engine takes its turn")
+          ->capture_default_str();
+  command->add_option("--seed", settings.seed, "Seed of the scene")->capture_default_str();
+  command->footer(
+      "Takes two to three minutes on an idle machine; what else runs there is in the times.\n"
+      "Examples:\n"
+      "  cellsweep experiment --out results\n"
+      "  cellsweep experiment --out results --quick --bodies 64,1024,3500");
+  command->callback([experiment, frames, repetitions, &exit_code] {
+    experiment->frames_given = frames->count() > 0;
+    experiment->repetitions_given = repetitions->count() > 0;
+    exit_code = experiment->run();
+  });
+}
+
+}  // namespace cellsweep::app

@@ -1,0 +1,106 @@
+#include <filesystem>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/frame_range.h"
+#include "app/output.h"
+#include "app/scene_flags.h"
+#include "cellsweep/recording.h"
+#include "report/picture/picture.h"
+#include "report/progress.h"
+#include "report/text_file.h"
+
+namespace cellsweep::app {
+namespace {
+
+struct Render {
+  std::string file;
+  SceneFlags scene;
+  std::size_t frame = 0;
+  FrameRange range;
+  std::filesystem::path out;
+  report::PictureSettings picture;
+
+  ExitCode run() {
+    Aabb world;
+    auto source = make_source(world);
+    if (!source) return complain(source.status());
+    const Status status = range.given() ? draw_sequence(**source, world) : draw_one(**source, world);
+    return status.ok() ? kGood : complain(status);
+  }
+
+ private:
+  Result<std::unique_ptr<FrameSource>> make_source(Aabb& world_bounds) const {
+    if (file.empty()) {
+      const auto world = make_scene(scene.settings);
+      if (!world) return world.status();
+      world_bounds = world->bounds();
+      return make_scene_frames(scene.settings);
+    }
+    auto recording = read_recording(file);
+    if (!recording) return recording.status();
+    world_bounds = report::stage_of(*recording);
+    return make_recording_frames(std::move(*recording));
+  }
+
+  static Status go_to(FrameSource& source, std::size_t& at, std::size_t frame) {
+    for (; at < frame; ++at) {
+      if (!source.advance()) return unreached_frame_status(frame, at);
+    }
+    return {};
+  }
+
+  Status draw(const FrameSource& source, const Aabb& world, const std::filesystem::path& path) const {
+    const auto image = report::trace_picture(report::tableau_of(source, world), picture);
+    if (!image) return image.status();
+    return report::write_png(*image, path);
+  }
+
+  Status draw_one(FrameSource& source, const Aabb& world) const {
+    std::size_t at = 0;
+    if (Status status = go_to(source, at, frame); !status.ok()) return status;
+    return draw(source, world, out);
+  }
+
+  // OUT/00012.png and so on, as tools that make films of pictures want them.
+  Status draw_sequence(FrameSource& source, const Aabb& world) const {
+    if (Status status = report::make_folder(out); !status.ok()) return status;
+    report::Progress progress("pictures", range.count());
+    std::size_t at = 0;
+    for (std::size_t wanted = range.first; wanted <= range.last; ++wanted) {
+      if (Status status = go_to(source, at, wanted); !status.ok()) return status;
+      if (Status status = draw(source, world, out / numbered_png(wanted)); !status.ok()) return status;
+      progress.show(wanted - range.first + 1);
+    }
+    return {};
+  }
+};
+
+}  // namespace
+
+void add_render(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command = program.add_subcommand(
+      "render", "Draw a frame of a scene or recording as a ray-traced picture; colliding boxes are green");
+  auto render = std::make_shared<Render>();
+  command->add_option("FILE", render->file, "A recording; without one, a scene is drawn");
+  render->scene.add_to(*command);
+  auto* frame = command->add_option("--frame", render->frame, "Frame to draw")->capture_default_str();
+  command
+      ->add_option("--frames", render->range, "Frames A to B, each a picture of its own in the folder --out")
+      ->type_name("A:B")
+      ->excludes(frame);
+  command->add_option("--out", render->out, "PNG file; with --frames, a folder")->required();
+  command->add_option("--width", render->picture.width, "Pixels across")->capture_default_str();
+  command->add_option("--height", render->picture.height, "Pixels down")->capture_default_str();
+  command->add_option("--samples", render->picture.samples, "Rays a pixel: more is smoother and takes longer")
+      ->capture_default_str();
+  command->add_option("--threads", render->picture.threads, "Threads; 0: one for each core")
+      ->capture_default_str();
+  command->footer(
+      "Examples:\n"
+      "  cellsweep render --scene paper --bodies 1024 --frame 100 --out scene.png\n"
+      "  cellsweep render bench/scenes/bullet-pile-1024.aabbs --frames 0:30 --out pile");
+  command->callback([render, &exit_code] { exit_code = render->run(); });
+}
+
+}  // namespace cellsweep::app

@@ -1,0 +1,171 @@
+#include "report/experiment/experiment.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "broadphase/text.h"
+#include "cellsweep/engines.h"
+#include "report/build_context.h"
+#include "report/experiment/experiment_run.h"
+#include "report/progress.h"
+#include "report/quantile.h"
+
+namespace cellsweep::report {
+namespace {
+
+constexpr std::size_t kMostBodies = std::size_t{1} << 24;
+
+Status bad(std::string message, std::string setting) {
+  return {StatusCode::bad_option, std::move(message), std::nullopt, 0, 0, std::move(setting)};
+}
+
+Status check(const ExperimentSettings& settings) {
+  if (settings.bodies.empty())
+    return bad("There is no number of boxes to run the experiment with.", "bodies");
+  for (const std::size_t bodies : settings.bodies) {
+    if (bodies == 0 || bodies > kMostBodies) {
+      return bad(text("The experiment runs with 1 to ", kMostBodies, " boxes, not ", bodies, "."), "bodies");
+    }
+  }
+  if (settings.frames == 0) return bad("The experiment needs 1 frame or more.", "frames");
+  if (settings.repetitions == 0) return bad("The experiment needs 1 repetition or more.", "repetitions");
+  return {};
+}
+
+Spread spread_of(const std::vector<double>& values) {
+  return {quantile(values, 0.5), quantile(values, 0), quantile(values, 1)};
+}
+
+class Experiment {
+ public:
+  explicit Experiment(const ExperimentSettings& settings) {
+    results_.settings = settings;
+    results_.context = build_context();
+    auto& sizes = results_.settings.bodies;
+    std::sort(sizes.begin(), sizes.end());
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    find_engines();
+  }
+
+  Result<ExperimentResults> run() {
+    Progress progress("experiment, frame", frames_in_all());
+    frame_done_ = [&] { progress.show(++frames_done_); };
+    for (unsigned repetition = 0; repetition < results_.settings.repetitions; ++repetition) {
+      if (Status status = run_all_once(repetition); !status.ok()) return status;
+    }
+    add_curves();
+    return std::move(results_);
+  }
+
+ private:
+  struct Place {
+    std::string engine;
+    std::size_t bodies;
+    std::vector<ExperimentRun> runs;
+  };
+
+  void find_engines() {
+    for (const EngineInfo& info : engine_table()) {
+      const std::string name(info.name);
+      const auto curves = curve_table();
+      if (std::none_of(curves.begin(), curves.end(),
+                       [&](const Curve& curve) { return curve.engine == name; })) {
+        continue;
+      }
+      const auto engine = make_engine(name);
+      if (!engine) {
+        results_.left_out.push_back(text("Engine ", name, " is left out: ", engine.status().message));
+        continue;
+      }
+      const Capacity capacity = (*engine)->capacity();
+      for (const std::size_t bodies : results_.settings.bodies) {
+        if (bodies <= capacity.bodies) {
+          places_.push_back({name, bodies, {}});
+        } else {
+          results_.left_out.push_back(text("Engine ", name, " holds ", capacity.bodies, " boxes, not ",
+                                           bodies, ": ", capacity.reason, "."));
+        }
+      }
+    }
+  }
+
+  std::size_t frames_in_all() const {
+    return 2 * results_.settings.frames * results_.settings.repetitions * places_.size();
+  }
+
+  // All engines at a size before the next size; who is first changes.
+  Status run_all_once(unsigned repetition) {
+    for (const std::size_t bodies : results_.settings.bodies) {
+      std::vector<Place*> turn;
+      for (Place& place : places_) {
+        if (place.bodies == bodies) turn.push_back(&place);
+      }
+      if (turn.empty()) continue;
+      std::rotate(turn.begin(), turn.begin() + static_cast<std::ptrdiff_t>(repetition % turn.size()),
+                  turn.end());
+      for (Place* place : turn) {
+        if (Status status = run_once(*place); !status.ok()) return status;
+      }
+    }
+    return {};
+  }
+
+  Status run_once(Place& place) {
+    auto run = run_through_experiment(place.engine, place.bodies, results_.settings, frame_done_);
+    if (!run) return run.status();
+    if (!run->exact) {
+      results_.wrong.push_back(text("Engine ", place.engine, " with ", place.bodies,
+                                    " boxes ended with other pairs than the oracle's."));
+    }
+    results_.initial_steps[{place.engine, place.bodies}] = run->initial_steps;
+    results_.moving_steps[{place.engine, place.bodies}] = run->moving_steps;
+    results_.pairs[place.bodies] = run->pairs;
+    place.runs.push_back(std::move(*run));
+    return {};
+  }
+
+  void add_curves() {
+    for (const Curve& curve : curve_table()) {
+      CurveResult result{curve, {}};
+      for (const Place& place : places_) {
+        if (place.engine == curve.engine) result.points[place.bodies] = spreads_of(place.runs, curve.part);
+      }
+      if (!result.points.empty()) results_.curves.push_back(std::move(result));
+    }
+  }
+
+  static PerMeasure<Spread> spreads_of(const std::vector<ExperimentRun>& runs, Part part) {
+    PerMeasure<Spread> spreads;
+    for (const Measure measure : kAllMeasures) {
+      std::vector<double> values;
+      for (const ExperimentRun& run : runs)
+        values.push_back(run.times[static_cast<std::size_t>(part)][measure]);
+      spreads[measure] = spread_of(values);
+    }
+    return spreads;
+  }
+
+  ExperimentResults results_;
+  std::vector<Place> places_;
+  std::size_t frames_done_ = 0;
+  std::function<void()> frame_done_;
+};
+
+}  // namespace
+
+std::optional<double> ExperimentResults::at(std::string_view curve, std::size_t bodies,
+                                            Measure measure) const {
+  for (const CurveResult& result : curves) {
+    const auto point = result.points.find(bodies);
+    if (result.curve.id == curve && point != result.points.end()) return point->second[measure].median;
+  }
+  return std::nullopt;
+}
+
+Result<ExperimentResults> run_experiment(const ExperimentSettings& settings) {
+  if (Status status = check(settings); !status.ok()) return status;
+  return Experiment(settings).run();
+}
+
+}  // namespace cellsweep::report

@@ -1,0 +1,163 @@
+#include "report/experiment/experiment_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "broadphase/brute_force.h"
+#include "cellsweep/engines.h"
+#include "cellsweep/scene.h"
+#include "report/quantile.h"
+#include "report/run_engine.h"
+
+namespace cellsweep::report {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// One first frame is short, and may meet anything; but those of some engines take long.
+constexpr std::size_t kMostFirstFrames = 9;
+constexpr double kEnoughOfFirstFrames = 1e5;  // microseconds
+
+/// The times of many frames: by part, and by step of the engine.
+class FrameTimes {
+ public:
+  /// Hands over and updates, and adds what that took.
+  template <class HandOver>
+  Status add(Broadphase& engine, HandOver&& hand_over) {
+    const Clock::time_point start = Clock::now();
+    if (Status status = hand_over(); !status.ok()) return status;
+    if (const auto changes = engine.update(); !changes) return changes.status();
+    double frame = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+    double spus = 0;
+    for (const Phase& phase : engine.statistics().phases) {
+      const double microseconds = 1000 * phase.milliseconds;
+      if (phase.name == "spus") spus = microseconds;
+      if (phase.setup) {
+        frame -= microseconds;
+      } else {
+        times_of_step(phase.name).push_back(microseconds);
+      }
+    }
+    add_part(Part::frame, frame);
+    add_part(Part::spus, spus);
+    add_part(Part::longest_spu, longest_spu(engine));
+    return {};
+  }
+
+  double total() const {
+    double sum = 0;
+    for (const double frame : parts_[0]) sum += frame;
+    return sum;
+  }
+
+  /// Order statistic `q` of a part.
+  double at(std::size_t part, double q) const { return quantile(parts_[part], q); }
+
+  /// The median of each step, in the order they run.
+  std::vector<Step> steps() const {
+    std::vector<Step> result;
+    for (const auto& [name, times] : steps_) result.push_back({name, quantile(times, 0.5)});
+    return result;
+  }
+
+ private:
+  static double longest_spu(const Broadphase& engine) {
+    for (const Counter& counter : engine.statistics().counters) {
+      if (counter.name == "longest spu of this update, ns") return static_cast<double>(counter.value) / 1000;
+    }
+    return 0;
+  }
+
+  void add_part(Part part, double microseconds) {
+    parts_[static_cast<std::size_t>(part)].push_back(microseconds);
+  }
+
+  std::vector<double>& times_of_step(std::string_view name) {
+    const auto found =
+        std::find_if(steps_.begin(), steps_.end(), [&](const auto& step) { return step.first == name; });
+    if (found != steps_.end()) return found->second;
+    return steps_.emplace_back(std::string(name), std::vector<double>{}).second;
+  }
+
+  std::array<std::vector<double>, kParts> parts_;
+  std::vector<std::pair<std::string, std::vector<double>>> steps_;
+};
+
+bool has_pairs_of_oracle(const Broadphase& engine, const FrameSource& source) {
+  std::vector<Pair> pairs(engine.pairs().begin(), engine.pairs().end());
+  std::sort(pairs.begin(), pairs.end());
+  return pairs == brute_force_pairs(source.boxes());
+}
+
+class Passage {
+ public:
+  Passage(const ExperimentSettings& settings, const std::function<void()>& frame_done)
+      : settings_(settings), frame_done_(frame_done) {}
+
+  Result<ExperimentRun> run(const std::string& name, std::size_t bodies) {
+    auto source = make_scene_frames({.bodies = bodies, .seed = settings_.seed, .moving = settings_.moving});
+    if (!source) return source.status();
+    if (Status status = enter(name, **source); !status.ok()) return status;
+    if (Status status = run_frames(**source); !status.ok()) return status;
+    ExperimentRun run;
+    for (std::size_t part = 0; part < kParts; ++part) {
+      run.times[part][Measure::initial] = initial_.at(part, 0.5);
+      run.times[part][Measure::still] = still_.at(part, 0.5);
+      run.times[part][Measure::longest] = moving_.at(part, 1);
+      run.times[part][Measure::median] = moving_.at(part, 0.5);
+    }
+    run.initial_steps = initial_.steps();
+    run.moving_steps = moving_.steps();
+    run.pairs = engine_->pairs().size();
+    run.exact = has_pairs_of_oracle(*engine_, **source);
+    return run;
+  }
+
+ private:
+  Status enter(const std::string& name, const FrameSource& source) {
+    for (std::size_t i = 0; i < kMostFirstFrames && initial_.total() < kEnoughOfFirstFrames; ++i) {
+      engine_.reset();
+      auto made = make_engine(name);
+      if (!made) return made.status();
+      engine_ = std::move(*made);
+      const auto hand_over = [&] { return insert_all(*engine_, source); };
+      if (Status status = initial_.add(*engine_, hand_over); !status.ok()) return status;
+    }
+    return {};
+  }
+
+  Status run_frames(FrameSource& source) {
+    const auto nothing = [] { return Status{}; };
+    for (std::size_t i = 0; i < settings_.frames; ++i) {
+      if (Status status = still_.add(*engine_, nothing); !status.ok()) return status;
+      frame_done_();
+    }
+    for (std::size_t i = 0; i < settings_.frames; ++i) {
+      source.advance();
+      const auto hand_over = [&] { return move_changed(*engine_, source); };
+      if (Status status = moving_.add(*engine_, hand_over); !status.ok()) return status;
+      frame_done_();
+    }
+    return {};
+  }
+
+  const ExperimentSettings& settings_;
+  const std::function<void()>& frame_done_;
+  std::unique_ptr<Broadphase> engine_;
+  FrameTimes initial_;
+  FrameTimes still_;
+  FrameTimes moving_;
+};
+
+}  // namespace
+
+Result<ExperimentRun> run_through_experiment(const std::string& engine, std::size_t bodies,
+                                             const ExperimentSettings& settings,
+                                             const std::function<void()>& frame_done) {
+  return Passage(settings, frame_done).run(engine, bodies);
+}
+
+}  // namespace cellsweep::report

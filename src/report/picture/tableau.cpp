@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <span>
+
+#include "broadphase/brute_force.h"
+#include "cellsweep/engines.h"
+#include "report/picture/picture.h"
+#include "report/run_engine.h"
+
+namespace cellsweep::report {
+namespace {
+
+BodyPose pose_of(const Aabb& box) {
+  BodyPose pose;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    pose.centre[axis] = 0.5F * box.min[axis] + 0.5F * box.max[axis];
+    pose.half_extents[axis] = 0.5F * box.max[axis] - 0.5F * box.min[axis];
+  }
+  return pose;
+}
+
+bool is_wall(const Aabb& box, const Aabb& world) {
+  constexpr float kMostOfTheWorld = 0.9F;
+  int long_axes = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float edge = box.max[axis] - box.min[axis];
+    long_axes += edge >= kMostOfTheWorld * (world.max[axis] - world.min[axis]) ? 1 : 0;
+  }
+  return long_axes >= 2;
+}
+
+// By the engine that holds any number of bodies, where it is built.
+std::vector<Pair> pairs_of(const FrameSource& source) {
+  if (auto engine = make_engine("embree")) {
+    if (insert_all(**engine, source).ok() && (*engine)->update().ok()) {
+      return {(*engine)->pairs().begin(), (*engine)->pairs().end()};
+    }
+  }
+  return brute_force_pairs(source.boxes());
+}
+
+}  // namespace
+
+Tableau tableau_of(const FrameSource& source, const Aabb& world) {
+  std::vector<bool> is_colliding(source.boxes().size(), false);
+  for (const Pair& pair : pairs_of(source)) {
+    is_colliding[pair.a] = true;
+    is_colliding[pair.b] = true;
+  }
+  const std::span<const Aabb> boxes = source.boxes();
+  const bool only_walls =
+      std::all_of(boxes.begin(), boxes.end(), [&](const Aabb& box) { return is_wall(box, world); });
+  Tableau tableau{world, {}, {}};
+  for (std::size_t body = 0; body < boxes.size(); ++body) {
+    if (!only_walls && is_wall(boxes[body], world)) continue;
+    tableau.bodies.push_back(source.poses().empty() ? pose_of(boxes[body]) : source.poses()[body]);
+    tableau.colliding.push_back(is_colliding[body]);
+  }
+  return tableau;
+}
+
+Aabb stage_of(const Recording& recording) {
+  constexpr float kFar = std::numeric_limits<float>::max();
+  Aabb bounds{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  std::size_t walls = 0;
+  for (const Aabb& box : recording.boxes) {
+    if (is_wall(box, recording.world)) {
+      ++walls;
+      continue;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      bounds.min[axis] = std::min(bounds.min[axis], box.min[axis]);
+      bounds.max[axis] = std::max(bounds.max[axis], box.max[axis]);
+    }
+  }
+  return walls == 0 || walls == recording.boxes.size() ? recording.world : bounds;
+}
+
+}  // namespace cellsweep::report

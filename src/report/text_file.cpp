@@ -1,0 +1,39 @@
+#include "report/text_file.h"
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "broadphase/text.h"
+
+namespace cellsweep::report {
+namespace {
+
+Status file_status(const std::filesystem::path& path, std::string_view what) {
+  return {StatusCode::bad_input, text(path.string(), ": ", what, "."), std::nullopt, 0, 0, ""};
+}
+
+}  // namespace
+
+Status write_text_file(const std::filesystem::path& path, std::string_view bytes) {
+  std::ofstream file(path, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (file.fail()) return file_status(path, "the file cannot be written");
+  return {};
+}
+
+Result<std::string> read_text_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return file_status(path, "the file cannot be read");
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+Status make_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) return file_status(path, "the folder cannot be made: " + error.message());
+  return {};
+}
+
+}  // namespace cellsweep::report
