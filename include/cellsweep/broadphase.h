@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,11 +39,34 @@ struct Counter {
   std::uint64_t value = 0;
 };
 
+/// What one SPE of a Cell would take for an update, in microseconds, by the steps of the document's chapter
+/// 4.2. Waits for mailboxes are not in it.
+struct SpeTime {
+  double sort = 0;
+  double change_detection = 0;
+  double compaction = 0;
+  double overlap = 0;
+  double dma_wait = 0;  ///< in any step
+  double other = 0;     ///< start-up, allocation, bookkeeping
+
+  double total() const { return sort + change_detection + compaction + overlap + dma_wait + other; }
+};
+
+/// The last update() on a Cell's clock, and what belongs to the host of it.
+struct CellTime {
+  std::vector<SpeTime> spes;  ///< one an SPE; they work at the same time
+  /// CPU time, measured here, of the calling thread in update() that is no work of the frame: set-up phases,
+  /// starting SPEs and waiting for them.
+  double set_aside_ms = 0;
+  bool threads_started = false;
+};
+
 /// What an engine tells about itself. Names are stable within an engine.
 struct Statistics {
   std::uint64_t updates = 0;
   std::vector<Phase> phases;  ///< of the last update(), in the order they ran
   std::vector<Counter> counters;
+  std::optional<CellTime> cell{};  ///< when EngineOptions::cycles asks for it
 };
 
 /// How many bodies an engine takes with the options it was made with, and what sets that limit.

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cellsweep/broadphase.h"
 
@@ -55,6 +56,13 @@ struct EngineOptions {
 
   /// Cell engines: what executes the SPU programs. `isa` has 256 KB of local store at most.
   SpeEngine spe_engine = SpeEngine::host;
+
+  /// Cell engines with SpeEngine::isa: count the time on a Cell (Statistics::cell). Several times slower.
+  bool cycles = false;
+
+  /// With `cycles`: numbers of the model that are to be others, as "NAME=VALUE". Main memory is shared by as
+  /// many SPEs as the engine uses, unless `sharing_spes` says otherwise.
+  std::vector<std::string> cycle_parameters{};
 
   /// Cell engines: when DMA transfers move their bytes.
   DmaMode dma = DmaMode::eager;

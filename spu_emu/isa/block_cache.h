@@ -37,9 +37,11 @@ class BlockCache {
     std::vector<Op> ops;
   };
 
+  bool is_timed() const { return state_.cycles != nullptr; }
   void forget(std::uint32_t word);
   bool has_code(std::uint32_t first, std::uint32_t end) const;
 
+  const State& state_;
   const std::byte* local_store_;
   std::array<const Op*, kWords> entries_{};
   std::array<std::unique_ptr<Block>, kWords> blocks_;

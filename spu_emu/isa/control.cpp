@@ -1,5 +1,6 @@
 // Stops, halts, special registers, and what is no instruction.
 #include "isa/handlers.h"
+#include "isa/timing/cycle_model.h"
 
 namespace spu_emu::isa {
 
@@ -75,6 +76,11 @@ const Op* execute_illegal(State& state, const Op* op) {
 
 const Op* execute_end_of_block(State& state, const Op* op) {
   return go_to(state, op, op->pc);
+}
+
+const Op* execute_tick(State& state, const Op* op) {
+  state.cycles->begin(op->pc, state);
+  return go_on(state, op);
 }
 
 std::span<const HandlerRow> control_handlers() {

@@ -19,9 +19,10 @@ std::int32_t immediate_of(const Instruction& instruction, std::uint32_t word, st
 std::uint32_t fetch(const std::byte* local_store, std::uint32_t pc);
 
 /// The instructions from `pc` on, up to one that never goes on to the next, to `max_instructions`, or to the
-/// end of the local store. The last Op always leaves. Gives the number of words they take in `words`.
+/// end of the local store. The last Op always leaves. Gives the number of words they take in `words`. When
+/// `timed`, a call of the cycle model goes before each instruction.
 std::vector<Op> decode_block(const std::byte* local_store, std::uint32_t pc, std::uint32_t max_instructions,
-                             std::uint32_t& words);
+                             std::uint32_t& words, bool timed = false);
 
 }  // namespace spu_emu::isa
 

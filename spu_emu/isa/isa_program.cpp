@@ -4,6 +4,7 @@
 #include <cerrno>
 
 #include "isa/disassembler.h"
+#include "isa/timing/code_ranges.h"
 #include "libspe2/program_image.h"
 #include "mfc/format.h"
 
@@ -25,7 +26,11 @@ IsaProgram::IsaProgram(Spe& spe)
     : spe_(spe),
       store_(spe.arena(), spe.settings(), *this),
       machine_(store_.bytes(), spe.channels()),
-      calls_(StoreBytes({store_.bytes(), store_.limit()}, this), spe.settings().library_calls) {}
+      calls_(StoreBytes({store_.bytes(), store_.limit()}, this), spe.settings().library_calls) {
+  if (!spe.settings().cycles) return;
+  cycles_ = std::make_unique<CycleModel>(*spe.settings().cycles, store_.bytes());
+  machine_.set_cycle_model(*cycles_);
+}
 
 LoadResult IsaProgram::load(Spe& spe, const spe_program_handle_t& handle) {
   const auto* image = static_cast<const std::byte*>(handle.elf_image);
@@ -38,6 +43,7 @@ LoadResult IsaProgram::load(Spe& spe, const spe_program_handle_t& handle) {
   program->overlays_.provide(file, *elf.program, program->store_.bytes());
   program->entry_ = elf.program->entry;
   program->symbols_ = std::move(elf.program->symbols);
+  if (program->cycles_) program->cycles_->set_code(code_ranges(program->symbols_, elf.program->end));
   program->note_progress();
   return {std::move(program), 0, {}};
 }

@@ -10,6 +10,7 @@
 #include "isa/machine.h"
 #include "isa/overlay_image.h"
 #include "isa/program_store.h"
+#include "isa/timing/cycle_model.h"
 #include "libspe2/load_program.h"
 #include "libspe2/spe.h"
 
@@ -33,6 +34,7 @@ class IsaProgram final : public Program, private StoreObserver {
   std::string where() const override { return place_of(stopped_at_); }
   std::string registers() const override;
   std::uint64_t instructions() const override { return instructions_.load(std::memory_order_relaxed); }
+  CycleProfile cycle_profile() const override { return cycles_ ? cycles_->profile() : CycleProfile(); }
 
  private:
   void store_written(std::uint32_t ls, std::uint32_t size) noexcept override;
@@ -48,6 +50,7 @@ class IsaProgram final : public Program, private StoreObserver {
 
   Spe& spe_;
   ProgramStore store_;
+  std::unique_ptr<CycleModel> cycles_;  // when the settings ask for it
   Machine machine_;
   LibraryCalls calls_;
   OverlayImage overlays_;

@@ -5,6 +5,7 @@
 #include "isa/block_cache.h"
 #include "isa/channel_access.h"
 #include "isa/decoder.h"
+#include "isa/timing/cycle_model.h"
 #include "isa/written_lines.h"
 #include "spu_emu/intrinsics/float_mode.h"
 
@@ -25,6 +26,7 @@ struct Machine::Impl {
   void drop_written();
   const Op* next_block();
   MachineStop stopped() const;
+  MachineStop run();
 };
 
 namespace {
@@ -33,6 +35,27 @@ constexpr MachineStop::Kind kind_of(Exit exit) {
   if (exit == Exit::stop) return MachineStop::Kind::stop;
   return exit == Exit::halt ? MachineStop::Kind::halt : MachineStop::Kind::illegal;
 }
+
+/// Ends the cycle model's part of a run, also where a Fault comes through.
+class TimedRun {
+ public:
+  explicit TimedRun(const State& state) : state_(state) {}
+  ~TimedRun() {
+    if (state_.cycles != nullptr && !ended_) state_.cycles->cancel();
+  }
+  TimedRun(const TimedRun&) = delete;
+  TimedRun& operator=(const TimedRun&) = delete;
+
+  void end(MachineStop::Kind kind) {
+    if (state_.cycles == nullptr || kind == MachineStop::Kind::illegal) return;
+    ended_ = true;
+    state_.cycles->end(state_.pc, state_);
+  }
+
+ private:
+  const State& state_;
+  bool ended_ = false;
+};
 
 }  // namespace
 
@@ -90,6 +113,17 @@ void Machine::reset() {
   impl_->executed = 0;
   impl_->blocks.drop_all();
   impl_->blocks.free_dropped();
+  if (state.cycles != nullptr) state.cycles->restart();
+}
+
+MachineStop Machine::Impl::run() {
+  for (;;) {
+    if (state.attention.load() != 0 && !look_up()) return {MachineStop::Kind::interrupted, 0, state.pc};
+    if (state.budget == 0) return {MachineStop::Kind::budget, 0, state.pc};
+    const Op* op = next_block();
+    while (op != nullptr) op = op->run(state, op);
+    if (state.exit != Exit::none) return stopped();
+  }
 }
 
 MachineStop Machine::run(std::uint64_t max_instructions) {
@@ -97,14 +131,15 @@ MachineStop Machine::run(std::uint64_t max_instructions) {
   state.host_float_control = float_control();
   const SpuFloatMode mode;
   impl_->start(max_instructions);
-  for (;;) {
-    if (state.attention.load() != 0 && !impl_->look_up())
-      return {MachineStop::Kind::interrupted, 0, state.pc};
-    if (state.budget == 0) return {MachineStop::Kind::budget, 0, state.pc};
-    const Op* op = impl_->next_block();
-    while (op != nullptr) op = op->run(state, op);
-    if (state.exit != Exit::none) return impl_->stopped();
-  }
+  TimedRun timed(state);
+  const MachineStop stop = impl_->run();
+  timed.end(stop.kind);
+  return stop;
+}
+
+void Machine::set_cycle_model(CycleModel& model) {
+  impl_->state.cycles = &model;
+  impl_->blocks.drop_all();
 }
 
 std::uint32_t Machine::pc() const {

@@ -12,6 +12,8 @@ class SpuChannels;
 
 namespace spu_emu::isa {
 
+class CycleModel;
+
 /// Why run() came back.
 struct MachineStop {
   enum class Kind {
@@ -35,6 +37,9 @@ class Machine {
   ~Machine();
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
+
+  /// From now on `model`, which is there as long as the machine runs, is told of every instruction.
+  void set_cycle_model(CycleModel& model);
 
   /// Registers, FPSCR and pc are zero, interrupts are disabled, and nothing decoded is kept.
   void reset();

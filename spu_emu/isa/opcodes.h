@@ -26,12 +26,6 @@ constexpr bool is_even_pipe(Unit unit) {
   return unit <= Unit::nop;
 }
 
-/// Cycles from issue until a result can be used.
-constexpr unsigned latency(Unit unit) {
-  constexpr unsigned kCycles[] = {2, 4, 4, 6, 7, 13, 0, 4, 6, 4, 6, 0};
-  return kCycles[static_cast<unsigned>(unit)];
-}
-
 /// What comes after an instruction: the next one; the next one or another place; always another place, or at
 /// least a look at the world outside; `none` is the next one after no effect at all.
 enum class Flow : std::uint8_t { next, may_leave, leaves, none };

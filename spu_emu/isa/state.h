@@ -18,6 +18,7 @@ class SpuChannels;
 namespace spu_emu::isa {
 
 class BlockCache;
+class CycleModel;
 struct Op;
 struct State;
 
@@ -70,6 +71,8 @@ struct State {
   vec_uint4 fpscr{};
   SpuChannels* channels = nullptr;
   BlockCache* blocks = nullptr;
+  /// Told of every instruction if there is one: then blocks are decoded with a call of it before each.
+  CycleModel* cycles = nullptr;
   FloatControl host_float_control{};
 
   qword& at(std::uint16_t offset) {

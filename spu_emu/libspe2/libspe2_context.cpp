@@ -200,6 +200,10 @@ spu_emu::SpeStatistics spu_emu::statistics(spe_context_ptr_t spe) {
   return spe->spe.statistics();
 }
 
+spu_emu::CycleProfile spu_emu::cycle_profile(spe_context_ptr_t spe) {
+  return spe->spe.cycle_profile();
+}
+
 std::string spu_emu::last_fault(spe_context_ptr_t spe) {
   return spe->spe.last_fault();
 }

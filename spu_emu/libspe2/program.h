@@ -7,6 +7,7 @@
 
 #include "mfc/fault.h"
 #include "mfc/local_store.h"
+#include "spu_emu/cycles.h"
 
 namespace spu_emu {
 
@@ -58,11 +59,12 @@ class Program {
   virtual std::uint32_t high_water() const = 0;
   /// Several lines: every part of the local store with its LS addresses and sizes.
   virtual std::string map() const = 0;
-  /// What there is of real SPU code only: where it stands, all registers, instructions executed. The count
-  /// may be read by any thread.
+  /// What there is of real SPU code only: where it stands, all registers, instructions executed, cycles. The
+  /// counts may be read by any thread.
   virtual std::string where() const { return {}; }
   virtual std::string registers() const { return {}; }
   virtual std::uint64_t instructions() const { return 0; }
+  virtual CycleProfile cycle_profile() const { return {}; }
 };
 
 }  // namespace spu_emu

@@ -20,6 +20,12 @@ Defaults& defaults() {
 
 thread_local const EmulationSettings* innermost = nullptr;
 
+void check_cycle_parameters(CycleParameters parameters) {
+  for (const CycleParameter& each : cycle_parameters()) {
+    set_cycle_parameter(parameters, each.name, cycle_parameter(parameters, each.name));
+  }
+}
+
 void check(const EmulationSettings& settings) {
   if (settings.local_store_limit % kLineSize != 0 || settings.stack_reserve % kLineSize != 0) {
     throw std::invalid_argument("local store limit and stack reserve must be multiples of 128 bytes");
@@ -29,6 +35,7 @@ void check(const EmulationSettings& settings) {
     throw std::invalid_argument("code and stack reserve exceed the local store limit");
   }
   if (!(settings.timebase_hertz > 0)) throw std::invalid_argument("the timebase must be above 0 Hz");
+  if (settings.cycles) check_cycle_parameters(*settings.cycles);
 }
 }  // namespace
 

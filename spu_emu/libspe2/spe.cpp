@@ -150,4 +150,9 @@ SpeStatistics Spe::statistics() {
   return result;
 }
 
+CycleProfile Spe::cycle_profile() {
+  const std::lock_guard lock(program_mutex_);
+  return program_ ? program_->cycle_profile() : CycleProfile();
+}
+
 }  // namespace spu_emu

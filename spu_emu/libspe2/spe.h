@@ -49,6 +49,7 @@ class Spe {
   void set_last_fault(std::string text);
   std::string last_fault();
   SpeStatistics statistics();
+  CycleProfile cycle_profile();
 
  private:
   void unload();

@@ -16,6 +16,7 @@
 
 #include "isa/elf_loader.h"
 #include "spu_emu/emulation.h"
+#include "tools/cycle_table.h"
 #include "tools/spu_arguments.h"
 
 namespace {
@@ -36,11 +37,14 @@ constexpr const char* kFooter =
     "  spu-run hello.elf\n"
     "  spu-run --stats --dma late --seed 7 kernel.elf input.txt 100\n"
     "  spu-run --no-files --max-instructions 1000000000 stranger.elf\n"
-    "  spu-run --trace run.json kernel.elf        (opens in Perfetto)\n";
+    "  spu-run --trace run.json kernel.elf        (opens in Perfetto)\n"
+    "  spu-run --cycles --cycle-parameter sharing_spes=6 kernel.elf\n";
 
 struct Options {
   spu_emu::EmulationSettings settings;
   bool statistics = false;
+  bool cycles = false;
+  std::vector<std::string> cycle_parameters;
   std::string trace;
   std::vector<std::string> command;
 };
@@ -73,6 +77,32 @@ void add_options(CLI::App& app, Options& options) {
                  "Local store of this size, 256K at most")
       ->transform(CLI::AsSizeValue(false).description(""))
       ->type_name("SIZE");
+}
+
+void add_cycle_options(CLI::App& app, Options& options) {
+  app.add_flag("--cycles", options.cycles,
+               "Print on stderr what the program would take on a Cell, in all and by function");
+  app.add_option("--cycle-parameter", options.cycle_parameters,
+                 "Change a number of the cycle model; may be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
+  app.add_flag_callback(
+      "--list-cycle-parameters",
+      [] {
+        std::fputs(spu_emu::cycle_parameter_table({}).c_str(), stdout);
+        throw CLI::Success();
+      },
+      "Print the numbers of the cycle model, what they mean and where they come from, and end");
+}
+
+/// A change of a number asks for the count, too.
+void set_cycles(Options& options) {
+  if (!options.cycles && options.cycle_parameters.empty()) return;
+  options.settings.cycles.emplace();
+  for (const std::string& each : options.cycle_parameters) {
+    spu_emu::set_cycle_parameter(*options.settings.cycles, each);
+  }
 }
 
 struct FileCloser {
@@ -153,6 +183,7 @@ void write_trace(const std::string& name) {
 
 int run_command(Options& options) {
   options.settings.trace = !options.trace.empty();
+  set_cycles(options);
   options.settings.code_reserve = 0;  // The file says what its code takes.
   const spu_emu::SettingsScope scope(options.settings);
   std::vector<char> file = read_program(options.command.front());
@@ -163,6 +194,9 @@ int run_command(Options& options) {
   const int code = run(context.get(), arguments);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
   if (options.statistics) print_statistics(context.get(), time.count());
+  if (const auto& cycles = options.settings.cycles) {
+    std::fputs(spu_emu::cycle_table(spu_emu::cycle_profile(context.get()), cycles->hertz).c_str(), stderr);
+  }
   if (!options.trace.empty()) write_trace(options.trace);
   return code;
 }
@@ -175,6 +209,7 @@ int main(int argc, char** argv) {
       "Runs an SPU ELF program by itself, instruction by instruction.\n"
       "usage: spu-run [OPTIONS] PROGRAM.elf [ARGUMENTS...]");
   add_options(app, options);
+  add_cycle_options(app, options);
   try {
     app.parse(argc, argv);
     options.command = app.remaining();

@@ -30,6 +30,7 @@ void add_replay(CLI::App& program, ExitCode& exit_code) {
       ->required();
   replay->frames.add_to(*command, std::numeric_limits<std::size_t>::max(), " [all there are]");
   replay->engines.add_to(*command);
+  replay->engines.add_cycle_flags(*command);
   command->footer(
       "Example:\n"
       "  cellsweep replay bench/scenes/bullet-pile-1024.aabbs --report-frames 0,15,30 --json");

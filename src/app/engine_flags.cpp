@@ -66,6 +66,29 @@ void EngineFlags::add_cell_flags(CLI::App& command) {
       ->type_name("FILE");
 }
 
+void EngineFlags::add_cycle_flags(CLI::App& command) {
+  command.add_flag("--cycles", options_.cycles,
+                   "Cell engines with --spe-engine isa: what the SPEs would take on a Cell, step by step");
+  command
+      .add_option("--cycle-parameter", options_.cycle_parameters,
+                  "With --cycles: change a number of the model; spu-run --list-cycle-parameters names them")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
+  command
+      .add_option("--ppu-factor", ppu_costs_.factor,
+                  "With --cycles: what takes 1 here takes so much on a Cell's PPU (assumed)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("FACTOR")
+      ->capture_default_str();
+  command
+      .add_option("--spu-start-us", ppu_costs_.spu_start_us,
+                  "With --cycles: microseconds to start a frame's SPE threads (the document's static floor)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("MICROSECONDS")
+      ->capture_default_str();
+}
+
 Result<Engines> EngineFlags::make() const {
   Engines engines;
   for (const std::string& name : names_) {

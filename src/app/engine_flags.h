@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cellsweep/engines.h"
+#include "report/cell_time.h"
 #include "report/run_engine.h"
 
 namespace cellsweep::app {
@@ -20,11 +21,17 @@ class EngineFlags {
   /// `only` as the default of --engine; empty: the whole table.
   void add_to(CLI::App& command, std::string only = {});
 
+  /// Adds --cycles and what goes with it, for commands that show frames' times.
+  void add_cycle_flags(CLI::App& command);
+
   const std::vector<std::string>& names() const { return names_; }
   const EngineOptions& options() const { return options_; }
 
   /// What the engines are to be given.
   report::Shape shape() const { return options_.spu_boxes ? report::Shape::poses : report::Shape::boxes; }
+
+  /// What is not simulated of a Cell is to cost.
+  const report::PpuCosts& ppu_costs() const { return ppu_costs_; }
 
   /// One empty engine a name. Errors: those of make_engine().
   Result<Engines> make() const;
@@ -34,6 +41,7 @@ class EngineFlags {
 
   std::vector<std::string> names_;
   EngineOptions options_;
+  report::PpuCosts ppu_costs_;
 };
 
 }  // namespace cellsweep::app

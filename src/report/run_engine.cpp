@@ -6,6 +6,7 @@
 #include <set>
 
 #include "broadphase/text.h"
+#include "engines/thread_clock.h"
 #include "report/progress.h"
 
 namespace cellsweep::report {
@@ -23,17 +24,32 @@ double setup_milliseconds(const Broadphase& engine) {
   return sum;
 }
 
-// One frame's work, timed as a whole.
+/// One frame's work: on the clock, without set-up; and the CPU time of the calling thread, with it.
+struct FrameTime {
+  double frame_ms = 0;
+  double cpu_ms = 0;
+};
+
 template <class HandOver>
-Status timed_frame(Broadphase& engine, RunReport& report, double& frame_ms, HandOver&& hand_over) {
+Status timed_frame(Broadphase& engine, RunReport& report, FrameTime& time, HandOver&& hand_over) {
+  const double cpu_start = thread_cpu_milliseconds();
   const Clock::time_point start = Clock::now();
   if (Status status = hand_over(); !status.ok()) return status;
   if (const auto changes = engine.update(); !changes) return changes.status();
   const double total = milliseconds_since(start);
+  time.cpu_ms = thread_cpu_milliseconds() - cpu_start;
   const double setup = setup_milliseconds(engine);
   report.setup_ms += setup;
-  frame_ms = total - setup;
+  time.frame_ms = total - setup;
   return {};
+}
+
+void report_cell(const Broadphase& engine, std::size_t frame, std::size_t moved, double cpu_ms,
+                 RunReport& report) {
+  const std::optional<CellTime>& cell = engine.statistics().cell;
+  if (!cell) return;
+  report.cell.push_back(
+      {frame, moved, cell->spes, std::max(0.0, cpu_ms - cell->set_aside_ms), cell->threads_started});
 }
 
 void report_frame(const Broadphase& engine, std::size_t frame, RunReport& report) {
@@ -68,6 +84,12 @@ std::vector<T> of_moved(const FrameSource& source, std::span<const T> all) {
 
 }  // namespace
 
+double CellFrame::longest_us() const {
+  double longest = 0;
+  for (const SpeTime& spe : spes) longest = std::max(longest, spe.total());
+  return longest;
+}
+
 Status insert_all(Broadphase& engine, const FrameSource& source, Shape shape) {
   std::vector<BodyId> ids(source.boxes().size());
   std::iota(ids.begin(), ids.end(), BodyId{0});
@@ -90,20 +112,22 @@ Result<RunReport> run_engine(Broadphase& engine, FrameSource& source, const RunS
     return wanted.empty() ? frame == 0 : wanted.contains(frame);
   };
 
-  Status status = timed_frame(engine, report, report.initial_ms,
-                              [&] { return insert_all(engine, source, settings.shape); });
+  FrameTime time;
+  Status status =
+      timed_frame(engine, report, time, [&] { return insert_all(engine, source, settings.shape); });
   if (!status.ok()) return status;
+  report.initial_ms = time.frame_ms;
+  report_cell(engine, 0, report.bodies, time.cpu_ms, report);
   if (is_wanted(0)) report_frame(engine, 0, report);
 
   Progress progress(report.engine, settings.updates);
   std::size_t frame = 0;
   while (frame < settings.updates && source.advance()) {
     ++frame;
-    double frame_ms = 0;
-    status =
-        timed_frame(engine, report, frame_ms, [&] { return move_changed(engine, source, settings.shape); });
+    status = timed_frame(engine, report, time, [&] { return move_changed(engine, source, settings.shape); });
     if (!status.ok()) return status;
-    report.update_ms.push_back(frame_ms);
+    report.update_ms.push_back(time.frame_ms);
+    report_cell(engine, frame, source.moved().size(), time.cpu_ms, report);
     if (is_wanted(frame)) report_frame(engine, frame, report);
     progress.show(frame);
   }

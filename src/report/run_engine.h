@@ -28,6 +28,18 @@ struct FrameReport {
   std::uint64_t hash = 0;
 };
 
+/// A frame on a Cell's clock.
+struct CellFrame {
+  std::size_t frame = 0;
+  std::size_t moved = 0;         ///< bodies that were handed over
+  std::vector<SpeTime> spes;     ///< one an SPE
+  double host_cpu_ms = 0;        ///< CPU time of the host's part, as measured on this machine
+  bool threads_started = false;  ///< the frame started the SPE threads
+
+  /// Microseconds of the SPE that took longest.
+  double longest_us() const;
+};
+
 /// What a run took and found. Times are those of handing bodies over and of update(), less the phases that
 /// the engine marks as set-up, which stand apart in `setup_ms`.
 struct RunReport {
@@ -37,6 +49,7 @@ struct RunReport {
   double setup_ms = 0;
   std::vector<double> update_ms;  ///< one an update after frame 0
   std::vector<FrameReport> frames;
+  std::vector<CellFrame> cell;  ///< every frame, when the engine counts it (EngineOptions::cycles)
 };
 
 /// Runs an empty engine over the frames of a source that stands at frame 0. Errors: those of the engine, and

@@ -86,6 +86,35 @@ TEST(CellCommand, RefusesSettingsThatAreNotThere) {
   }
 }
 
+TEST(CellCommand, RefusesCyclesOfProgramsForThisMachine) {
+  for (const std::string engine : {"cell-paper", "control"}) {
+    const CommandResult result = run_command("simulate --cycles --bodies 10 --frames 1 --engine " + engine);
+    EXPECT_EQ(result.exit_code, 2) << engine;
+    EXPECT_THAT(result.errors, HasSubstr("--spe-engine isa"));
+  }
+  EXPECT_EQ(run_command("verify --cycles --bodies 10 --frames 1").exit_code, 2) << "it shows no times";
+}
+
+TEST(CellCommand, ShowsAFramesTimeOnACell) {
+  const std::string run =
+      "simulate --engine cell-paper --spe-engine isa --cycles --bodies 32 --moving 0.5 --frames 3 ";
+  const CommandResult table = run_command(run);
+  if (table.exit_code == 2) GTEST_SKIP() << "built without the SPU compiler";
+  EXPECT_EQ(table.exit_code, 0) << table.errors;
+  for (const char* part : {"Cell time", "DMA wait", "initial", "dynamic", "SPE start", "PPU"})
+    EXPECT_THAT(table.output, HasSubstr(part));
+  const auto cell_of = [&](const std::string& flags) {
+    return Json::parse(run_command(run + "--json " + flags).output)["engines"][0]["cell"];
+  };
+  const Json cell = cell_of("--ppu-factor 2 --spu-start-us 100");
+  EXPECT_EQ(cell["ppu_factor"], 2);
+  EXPECT_EQ(cell["frames"][0]["spu_start_us"], 100);
+  EXPECT_EQ(cell["frames"][0]["spes"].size(), 3U);
+  EXPECT_GT(cell_of("--cycle-parameter memory_latency=9000")["frames"][0]["spu_us"],
+            cell["frames"][0]["spu_us"]);
+  EXPECT_EQ(run_command(run + "--cycle-parameter memory_latency=x").exit_code, 2);
+}
+
 TEST(CellCommand, LiteralDiffersFromTheOracleAndSaysByHowMuch) {
   const CommandResult result = run_command(
       "verify --engine cell-paper --literal --scene varied --bodies 150 --moving 0.5 --frames 20");

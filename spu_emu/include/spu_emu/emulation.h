@@ -6,8 +6,10 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
+#include "spu_emu/cycles.h"
 #include "spu_emu/dma_mode.h"
 
 namespace spu_emu {
@@ -38,10 +40,13 @@ struct EmulationSettings {
   double timebase_hertz = 79.8e6;
   /// Keep a timeline for write_trace.
   bool trace = false;
+  /// Real SPU code: count what it would take on a Cell, for cycle_profile(). Runs several times slower.
+  std::optional<CycleParameters> cycles{};
 };
 
 /// Settings of contexts created from now on; process-wide, any thread. Throws std::invalid_argument, and
-/// changes nothing, when the reserves do not fit into the limit or a size is no multiple of 128.
+/// changes nothing, when the reserves do not fit into the limit, a size is no multiple of 128 or a number of
+/// `cycles` cannot be.
 void set_default_settings(const EmulationSettings& settings);
 EmulationSettings default_settings();
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cellsweep/engines.h"
 
@@ -23,6 +24,19 @@ struct SpeCounts {
   std::uint64_t local_store_high_water = 0;  ///< bytes in use at most
 
   SpeCounts& operator+=(const SpeCounts& more);
+};
+
+/// Cycles of one function of an SPU program, without those of functions that it called.
+struct FunctionCycles {
+  std::string name;            ///< demangled, with its parameters
+  std::uint64_t cycles = 0;    ///< all
+  std::uint64_t dma_wait = 0;  ///< of them
+};
+
+/// What an SPE would have done on a Cell since its program was loaded.
+struct SpeCycles {
+  double hertz = 0;  ///< 0: it is not counted
+  std::vector<FunctionCycles> functions;
 };
 
 /// How the bytes of a local store (C14) are given out before a program asks for any.
@@ -44,10 +58,14 @@ class Emulation {
   /// What to load for a program: the same handle, or that of the same program compiled for a real SPU.
   virtual spe_program_handle_t& image(spe_program_handle_t& program) const = 0;
 
-  /// spe_context_create() with this engine's settings; null with errno as there.
-  virtual spe_context_ptr_t create_context(unsigned flags) = 0;
+  /// spe_context_create() with this engine's settings, for one of `spes` that work at the same time; null
+  /// with errno as there.
+  virtual spe_context_ptr_t create_context(unsigned flags, unsigned spes) = 0;
 
   virtual SpeCounts counts(spe_context_ptr_t spe) const = 0;
+
+  /// As of the program's last end or message; empty unless EngineOptions::cycles.
+  virtual SpeCycles cycles(spe_context_ptr_t spe) const = 0;
 
   /// The rule that the context's last failing call broke, in words; empty when there was none.
   virtual std::string fault(spe_context_ptr_t spe) const = 0;
@@ -55,8 +73,8 @@ class Emulation {
 
 /// SPEs as the options say: those of spu_emu, or a Cell's own in a build for these. Errors: bad_option for a
 /// local store that is no multiple of 128 or too small for code and stack, for a trace file that cannot be
-/// written, for SpeEngine::isa without SPU programs or with more than 256 KB, and for what a Cell's own SPEs
-/// cannot do.
+/// written, for SpeEngine::isa without SPU programs or with more than 256 KB, for cycles without
+/// SpeEngine::isa or with numbers that cannot be, and for what a Cell's own SPEs cannot do.
 Result<std::shared_ptr<Emulation>> make_emulation(const EngineOptions& options);
 
 }  // namespace cellsweep::cell

@@ -18,8 +18,11 @@ class HardwareSpes final : public Emulation {
  public:
   LocalStoreBudget local_store() const override { return {kLocalStore, kCode, kData, kStack}; }
   spe_program_handle_t& image(spe_program_handle_t& program) const override { return program; }
-  spe_context_ptr_t create_context(unsigned flags) override { return spe_context_create(flags, nullptr); }
+  spe_context_ptr_t create_context(unsigned flags, unsigned) override {
+    return spe_context_create(flags, nullptr);
+  }
   SpeCounts counts(spe_context_ptr_t) const override { return {}; }
+  SpeCycles cycles(spe_context_ptr_t) const override { return {}; }
   std::string fault(spe_context_ptr_t) const override { return {}; }
 };
 
@@ -46,6 +49,7 @@ Result<std::shared_ptr<Emulation>> make_emulation(const EngineOptions& options) 
     return refusal("dma", "the SPEs of this machine decide when bytes move.");
   if (options.local_store_bytes != kLocalStore)
     return refusal("local_store_bytes", "the SPEs of this machine have 256 KB.");
+  if (options.cycles) return refusal("cycles", "this machine is a Cell: its clock tells.");
   if (!options.trace_file.empty()) return refusal("trace_file", "the SPEs of this machine keep no timeline.");
   return std::shared_ptr<Emulation>(std::make_shared<HardwareSpes>());
 }

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <stdexcept>
 
 #include "broadphase/text.h"
 #include "engines/cell/emulation.h"
@@ -24,6 +25,9 @@ constexpr std::uint64_t kSanitizerBytes = kSanitized ? 64 * 1024 : 0;
 constexpr std::uint64_t kLargestLocalStore = std::uint64_t{1} << 30;
 constexpr std::uint64_t kRealLocalStore = std::uint64_t{256} << 10;
 constexpr std::uint64_t kLine = 128;
+
+/// Stands for as many SPEs as the engine uses.
+constexpr std::uint32_t kSharingAsUsed = 0;
 
 /// A timeline file, written when the last engine that named it goes: spu_emu keeps one timeline for all.
 class TraceFile {
@@ -62,7 +66,8 @@ spu_emu::DmaMode mode_of(DmaMode mode) {
 
 class SpuEmuEmulation final : public Emulation {
  public:
-  SpuEmuEmulation(const EngineOptions& options, std::shared_ptr<TraceFile> trace)
+  SpuEmuEmulation(const EngineOptions& options, std::optional<spu_emu::CycleParameters> cycles,
+                  std::shared_ptr<TraceFile> trace)
       : limit_(options.local_store_bytes),
         isa_(options.spe_engine == SpeEngine::isa),
         trace_(std::move(trace)) {
@@ -71,6 +76,7 @@ class SpuEmuEmulation final : public Emulation {
     settings_.local_store_limit =
         static_cast<std::uint32_t>(limit_ == 0 || isa_ ? limit_ : limit_ + kSanitizerBytes);
     settings_.trace = trace_ != nullptr;
+    settings_.cycles = cycles;
   }
 
   LocalStoreBudget local_store() const override {
@@ -81,8 +87,11 @@ class SpuEmuEmulation final : public Emulation {
     return isa_ ? *spu_elf_of(program) : program;
   }
 
-  spe_context_ptr_t create_context(unsigned flags) override {
-    const spu_emu::SettingsScope scope(settings_);
+  spe_context_ptr_t create_context(unsigned flags, unsigned spes) override {
+    spu_emu::EmulationSettings settings = settings_;
+    if (settings.cycles && settings.cycles->sharing_spes == kSharingAsUsed)
+      settings.cycles->sharing_spes = spes;
+    const spu_emu::SettingsScope scope(settings);
     ++settings_.seed;  // each SPE's transfers land in an order of their own
     return spe_context_create(flags, nullptr);
   }
@@ -90,6 +99,15 @@ class SpuEmuEmulation final : public Emulation {
   SpeCounts counts(spe_context_ptr_t spe) const override {
     const spu_emu::SpeStatistics all = spu_emu::statistics(spe);
     return {all.gets, all.puts, all.bytes_in, all.bytes_out, all.list_elements, all.local_store_high_water};
+  }
+
+  SpeCycles cycles(spe_context_ptr_t spe) const override {
+    if (!settings_.cycles) return {};
+    SpeCycles result{settings_.cycles->hertz, {}};
+    for (spu_emu::FunctionCycles& each : spu_emu::cycle_profile(spe).functions) {
+      result.functions.push_back({std::move(each.name), each.counts.cycles, each.counts.dma_wait()});
+    }
+    return result;
   }
 
   std::string fault(spe_context_ptr_t spe) const override { return spu_emu::last_fault(spe); }
@@ -137,6 +155,26 @@ Status check_isa(const EngineOptions& options) {
           "local_store_bytes"};
 }
 
+Status cycles_refused(std::string why) {
+  return {StatusCode::bad_option, text("cycles: ", why, "."), std::nullopt, 0, 0, "cycles"};
+}
+
+/// The cycle model's numbers, if it is wanted.
+Result<std::optional<spu_emu::CycleParameters>> find_cycle_parameters(const EngineOptions& options) {
+  if (!options.cycles) return std::optional<spu_emu::CycleParameters>();
+  if (options.spe_engine != SpeEngine::isa) {
+    return cycles_refused("only real SPU code has them; ask for spe_engine isa, too");
+  }
+  spu_emu::CycleParameters parameters;
+  parameters.sharing_spes = kSharingAsUsed;
+  try {
+    for (const std::string& each : options.cycle_parameters) spu_emu::set_cycle_parameter(parameters, each);
+  } catch (const std::invalid_argument& error) {
+    return cycles_refused(error.what());
+  }
+  return std::optional(parameters);
+}
+
 }  // namespace
 
 SpeCounts& SpeCounts::operator+=(const SpeCounts& more) {
@@ -153,6 +191,8 @@ SpeCounts& SpeCounts::operator+=(const SpeCounts& more) {
 Result<std::shared_ptr<Emulation>> make_emulation(const EngineOptions& options) {
   if (Status status = check_local_store(options); !status.ok()) return status;
   if (Status status = check_isa(options); !status.ok()) return status;
+  auto cycles = find_cycle_parameters(options);
+  if (!cycles) return cycles.status();
   std::shared_ptr<TraceFile> trace;
   if (!options.trace_file.empty()) {
     trace = open_trace(options.trace_file);
@@ -165,7 +205,7 @@ Result<std::shared_ptr<Emulation>> make_emulation(const EngineOptions& options) 
                     "trace_file"};
     }
   }
-  return std::shared_ptr<Emulation>(std::make_shared<SpuEmuEmulation>(options, std::move(trace)));
+  return std::shared_ptr<Emulation>(std::make_shared<SpuEmuEmulation>(options, *cycles, std::move(trace)));
 }
 
 }  // namespace cellsweep::cell

@@ -314,10 +314,11 @@ class FewSpes final : public cell::Emulation {
 
   cell::LocalStoreBudget local_store() const override { return all_->local_store(); }
   spe_program_handle_t& image(spe_program_handle_t& program) const override { return all_->image(program); }
-  spe_context_ptr_t create_context(unsigned flags) override {
-    return left_-- > 0 ? all_->create_context(flags) : nullptr;
+  spe_context_ptr_t create_context(unsigned flags, unsigned spes) override {
+    return left_-- > 0 ? all_->create_context(flags, spes) : nullptr;
   }
   cell::SpeCounts counts(spe_context_ptr_t spe) const override { return all_->counts(spe); }
+  cell::SpeCycles cycles(spe_context_ptr_t spe) const override { return all_->cycles(spe); }
   std::string fault(spe_context_ptr_t spe) const override { return all_->fault(spe); }
 
  private:
@@ -343,8 +344,11 @@ class Boaster final : public cell::Emulation {
     return budget;
   }
   spe_program_handle_t& image(spe_program_handle_t& program) const override { return all_->image(program); }
-  spe_context_ptr_t create_context(unsigned flags) override { return all_->create_context(flags); }
+  spe_context_ptr_t create_context(unsigned flags, unsigned spes) override {
+    return all_->create_context(flags, spes);
+  }
   cell::SpeCounts counts(spe_context_ptr_t spe) const override { return all_->counts(spe); }
+  cell::SpeCycles cycles(spe_context_ptr_t spe) const override { return all_->cycles(spe); }
   std::string fault(spe_context_ptr_t spe) const override { return all_->fault(spe); }
 
  private:

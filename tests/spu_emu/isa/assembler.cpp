@@ -13,6 +13,11 @@ std::uint32_t masked(std::int32_t value, unsigned bits, unsigned first) {
   return (static_cast<std::uint32_t>(value) & ((1U << bits) - 1)) << first;
 }
 
+/// The distance of a hint to its branch: 9 bits of words, the upper two in a place of their own.
+std::uint32_t hint_distance(std::int32_t value, unsigned upper) {
+  return masked(value / 4, 7, 0) | masked(value / 4 >> 7, 2, upper);
+}
+
 std::uint32_t operand_bits(char letter, std::int32_t value) {
   switch (letter) {
     case 't':
@@ -42,8 +47,12 @@ std::uint32_t operand_bits(char letter, std::int32_t value) {
     case 'r':
     case 'A':
       return masked(value / 4, 16, 7);
+    case 'k':
+      return hint_distance(value, 23);
+    case 'K':
+      return hint_distance(value, 14);
     default:
-      return 0;  // The hints' branch addresses, which nobody looks at.
+      return 0;
   }
 }
 

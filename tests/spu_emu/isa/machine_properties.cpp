@@ -6,7 +6,7 @@
 
 #include "isa/disassembler.h"
 #include "isa/opcodes.h"
-#include "test_machine.h"
+#include "timing/timed_machine.h"
 
 namespace spu_emu::isa {
 
@@ -55,6 +55,22 @@ std::string difference(const TestMachine& one, const TestMachine& other) {
   return same ? "" : "local store";
 }
 
+/// Told of every instruction, a cycle model changes nothing, and each of its cycles is accounted for.
+std::string difference_when_timed(const TestMachine& wanted, std::span<const std::byte> program,
+                                  std::uint32_t seed, std::uint64_t budget) {
+  static TimedMachine timed;
+  fill(timed, program, seed);
+  timed.model.set_code({});
+  timed.machine.run(budget);
+  const CycleCounts counts = timed.model.profile().total;
+  std::uint64_t stalled = 0;
+  for (const std::uint64_t stall : counts.stalls) stalled += stall;
+  if (counts.instructions != timed.machine.instructions()) return "count of timed instructions";
+  if (counts.cycles != counts.instructions - counts.dual_issued + stalled) return "sum of cycles";
+  const std::string what = difference(wanted, timed);
+  return what.empty() ? what : what + " when timed";
+}
+
 }  // namespace
 
 std::string check_program(std::span<const std::byte> program, std::uint32_t seed) {
@@ -65,12 +81,14 @@ std::string check_program(std::span<const std::byte> program, std::uint32_t seed
   const MachineStop wanted = step(stepped);
   // An illegal instruction is not executed, but needs a budget to be met.
   const bool illegal = wanted.kind == MachineStop::Kind::illegal;
-  const MachineStop stop = at_once.machine.run(stepped.machine.instructions() + (illegal ? 1 : 0));
+  const std::uint64_t budget = stepped.machine.instructions() + (illegal ? 1 : 0);
+  const MachineStop stop = at_once.machine.run(budget);
   if (stop.kind != wanted.kind || stop.code != wanted.code || stop.pc != wanted.pc) return "the stop differs";
   if (stop.pc % 4 != 0 || stop.pc >= kLocalStoreSize) return "pc is no address of an instruction";
   for (std::uint32_t pc = 0; pc < program.size() && pc < 0x100; pc += 4)
     if (disassemble(stepped.get(pc), pc).empty()) return "nothing to read of an instruction";
-  return difference(stepped, at_once);
+  const std::string what = difference(stepped, at_once);
+  return what.empty() ? difference_when_timed(stepped, program, seed, budget) : what;
 }
 
 }  // namespace spu_emu::isa

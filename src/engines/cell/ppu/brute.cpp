@@ -120,6 +120,7 @@ Result<PairChanges> Brute::update() {
   timer.lap("collect changes");
   ++statistics_.updates;
   refresh_counters();
+  statistics_.cell = spes_->take_cell_time();
   return changes;
 }
 

@@ -132,11 +132,13 @@ Result<PairChanges> Paper::update() {
   timer.lap("collect changes");
   ++statistics_.updates;
   refresh_counters();
+  statistics_.cell = spes_->take_cell_time();
   return changes;
 }
 
 // X1: every new body gets an entry with every other one.
 void Paper::enter_new_bodies() {
+  const SpeGroup::Aside aside(*spes_);  // set-up
   for (const Slot slot : new_slots_) pairs_.add_body(slot + 1);
   new_slots_.clear();
 }

@@ -137,6 +137,7 @@ Result<PairChanges> Resident::update() {
   timer.lap("collect changes");
   ++statistics_.updates;
   refresh_counters();
+  statistics_.cell = spes_->take_cell_time();
   return changes;
 }
 

@@ -44,6 +44,7 @@ Result<std::unique_ptr<ResidentSpes>> ResidentSpes::start(const ResidentSize& wa
   std::unique_ptr<ResidentSpes> spes(new ResidentSpes(std::move(*group), wanted));
   if (Status status = spes->listen(); !status.ok()) return status;
   if (Status status = spes->run(); !status.ok()) return status;
+  static_cast<void>(spes->take_cell_time());
   return spes;
 }
 
@@ -112,6 +113,7 @@ Status ResidentSpes::obey(ResidentOrder order, std::uint32_t records) {
 }
 
 Status ResidentSpes::wait_for_answers() {
+  const SpeGroup::Aside aside(*group_);
   std::vector<spe_event_unit_t> units(size());
   while (!take_answers()) {
     spe_event_wait(events_.get(), units.data(), static_cast<int>(units.size()), kLookAfter);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,6 +57,9 @@ class ResidentSpes {
   /// Mailbox words written to SPUs so far.
   std::uint64_t mailbox_words() const { return mailbox_words_; }
   std::uint64_t starts() const { return starts_; }
+
+  /// SpeGroup::take_cell_time(); what comes before the first order is not in it.
+  std::optional<CellTime> take_cell_time() { return group_->take_cell_time(); }
 
   /// What the SPEs did since they were started.
   SpeCounts counts() const { return group_->counts(); }

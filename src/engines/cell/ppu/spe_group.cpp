@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <ctime>
+#include <utility>
 
 #include "broadphase/text.h"
 
 namespace cellsweep::cell {
 namespace {
-
-double thread_cpu_milliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
-}
 
 Status failed(unsigned index, const std::string& why) {
   return {StatusCode::spe_failed, text("SPE ", index, " failed: ", why), std::nullopt, index, 0, ""};
@@ -35,7 +29,7 @@ Result<std::unique_ptr<SpeGroup>> SpeGroup::make(unsigned count, spe_program_han
                                                  std::shared_ptr<Emulation> emulation) {
   std::unique_ptr<SpeGroup> group(new SpeGroup(program, std::move(emulation)));
   while (group->size() < count) {
-    if (Status status = group->add_spe(); !status.ok()) return status;
+    if (Status status = group->add_spe(count); !status.ok()) return status;
   }
   return group;
 }
@@ -47,11 +41,12 @@ SpeGroup::~SpeGroup() {
   }
 }
 
-Status SpeGroup::add_spe() {
+Status SpeGroup::add_spe(unsigned of) {
   const unsigned index = size();
   spes_.push_back(std::make_unique<Spe>());
-  spes_.back()->context = emulation_->create_context(SPE_EVENTS_ENABLE | SPE_MAP_PS);
+  spes_.back()->context = emulation_->create_context(SPE_EVENTS_ENABLE | SPE_MAP_PS, of);
   if (spes_.back()->context == nullptr) return failed(index, std::strerror(errno));
+  counts_cycles_ = emulation_->cycles(spes_.back()->context).hertz != 0;
   return load(index);
 }
 
@@ -63,11 +58,13 @@ Status SpeGroup::load(unsigned index) {
 }
 
 Status SpeGroup::run(std::span<void* const> jobs) {
+  const Aside aside(*this);
   start(jobs);
   return join();
 }
 
 void SpeGroup::start(std::span<void* const> jobs) {
+  started_ = started_ || !jobs.empty();
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     Spe& spe = *spes_[i];
     spe.running.store(true, std::memory_order_release);
@@ -109,6 +106,26 @@ double SpeGroup::longest_cpu_milliseconds() const {
   double longest = 0;
   for (const auto& spe : spes_) longest = std::max(longest, spe->cpu_milliseconds);
   return longest;
+}
+
+std::optional<CellTime> SpeGroup::take_cell_time() {
+  if (!counts_cycles_) return std::nullopt;
+  CellTime time;
+  take_steps(time);
+  time.set_aside_ms = std::exchange(aside_milliseconds_, 0);
+  time.threads_started = std::exchange(started_, false);
+  return time;
+}
+
+// Asking takes time, too, which a Cell would not spend.
+void SpeGroup::take_steps(CellTime& time) {
+  const Aside aside(*this);
+  for (const auto& spe : spes_) {
+    const SpeCycles cycles = emulation_->cycles(spe->context);
+    const StepCycles now = cycles_by_step(cycles.functions);
+    time.spes.push_back(spe_time(now, spe->counted, cycles.hertz));
+    spe->counted = now;
+  }
 }
 
 SpeCounts SpeGroup::counts() const {

@@ -6,13 +6,16 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "cellsweep/status.h"
+#include "cellsweep/broadphase.h"
 #include "engines/cell/emulation.h"
+#include "engines/cell/ppu/step_cycles.h"
+#include "engines/thread_clock.h"
 
 namespace cellsweep::cell {
 
@@ -29,6 +32,23 @@ class SpeGroup {
   ~SpeGroup();
   SpeGroup(const SpeGroup&) = delete;
   SpeGroup& operator=(const SpeGroup&) = delete;
+
+  /// While it lives, what the thread computes is no work of the host for take_cell_time(). Costs nothing when
+  /// that is not counted.
+  class Aside {
+   public:
+    explicit Aside(SpeGroup& group)
+        : group_(group), begin_(group.counts_cycles_ ? thread_cpu_milliseconds() : 0) {}
+    ~Aside() {
+      if (group_.counts_cycles_) group_.aside_milliseconds_ += thread_cpu_milliseconds() - begin_;
+    }
+    Aside(const Aside&) = delete;
+    Aside& operator=(const Aside&) = delete;
+
+   private:
+    SpeGroup& group_;
+    double begin_;
+  };
 
   unsigned size() const { return static_cast<unsigned>(spes_.size()); }
   spe_context_ptr_t context(unsigned index) const { return spes_[index]->context; }
@@ -53,6 +73,10 @@ class SpeGroup {
   /// The largest of cpu_milliseconds().
   double longest_cpu_milliseconds() const;
 
+  /// Since the call before, on a Cell's clock; nothing when that is not counted. While programs run, as of
+  /// their last message.
+  std::optional<CellTime> take_cell_time();
+
   /// What all SPEs did, added up; of those that run, about now.
   SpeCounts counts() const;
 
@@ -63,16 +87,21 @@ class SpeGroup {
     std::atomic<bool> running = false;
     double cpu_milliseconds = 0;
     std::string fault{};
+    StepCycles counted{};  // by take_cell_time() until now
   };
 
   SpeGroup(spe_program_handle_t& program, std::shared_ptr<Emulation> emulation);
-  Status add_spe();
+  Status add_spe(unsigned of);
+  void take_steps(CellTime& time);
   Status load(unsigned index);
   void run_program(Spe& spe, void* job) const;
 
   spe_program_handle_t& program_;
   std::shared_ptr<Emulation> emulation_;
   std::vector<std::unique_ptr<Spe>> spes_;
+  bool counts_cycles_ = false;
+  double aside_milliseconds_ = 0;  // since take_cell_time()
+  bool started_ = false;           // since then, too
 };
 
 }  // namespace cellsweep::cell

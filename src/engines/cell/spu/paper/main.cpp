@@ -28,15 +28,17 @@ bool has(const PaperJob& job, PaperFlags flag) {
   return (job.flags & flag) != 0;
 }
 
+// The steps are not inlined, so that the program's symbols tell what each took.
+
 // C5-C8: the values come into order, the IDs with them.
-void sort_axis(const PaperJob& job, AxisStore& axis) {
+[[gnu::noinline]] void sort_axis(const PaperJob& job, AxisStore& axis) {
   intervector_sort(axis.values, axis.ids, axis.vectors());
   intravector_sort(axis.values, axis.ids, axis.vectors());
   if (!has(job, kPaperLiteral)) order_equal_values(axis.values, axis.ids, axis.count());
 }
 
 // C9: the array of IDs from before the sort becomes the array of changed IDs.
-void detect_changes(const PaperJob& job, AxisStore& axis) {
+[[gnu::noinline]] void detect_changes(const PaperJob& job, AxisStore& axis) {
   if (has(job, kPaperLiteral)) {
     compare_changes_literal(axis.before_and_after(), axis.ids_before);
   } else if (has(job, kPaperInitial)) {
@@ -47,14 +49,14 @@ void detect_changes(const PaperJob& job, AxisStore& axis) {
 }
 
 // C10: returns the number of changed IDs.
-std::uint32_t compact(AxisStore& axis) {
+[[gnu::noinline]] std::uint32_t compact(AxisStore& axis) {
   auto* changed = reinterpret_cast<std::int32_t*>(axis.ids_before);
   reverse_quicksort(changed, axis.count());
   return remove_duplicates(changed, axis.count(), static_cast<std::int32_t>(kUnchanged));
 }
 
 // C11, C13.
-void method_1(const PaperJob& job, AxisStore& axis, PaperResult& result) {
+[[gnu::noinline]] void method_1(const PaperJob& job, AxisStore& axis, PaperResult& result) {
   const auto* changed = reinterpret_cast<const std::int32_t*>(axis.ids_before);
   KeyStream keys(ea_of(job.keys), has(job, kPaperListDma), kKeysTag);
   if (has(job, kPaperLiteral)) {
@@ -68,7 +70,7 @@ void method_1(const PaperJob& job, AxisStore& axis, PaperResult& result) {
 }
 
 // C12, C13.
-void method_2(const PaperJob& job, const AxisStore& axis, PaperResult& result) {
+[[gnu::noinline]] void method_2(const PaperJob& job, const AxisStore& axis, PaperResult& result) {
   const auto* changed = reinterpret_cast<const std::int32_t*>(axis.ids_before);
   KeyStream keys(ea_of(job.keys), has(job, kPaperListDma), kKeysTag);
   KeyStream apart(ea_of(job.apart_keys), has(job, kPaperListDma), kApartTag);

@@ -64,6 +64,8 @@ unsigned int ResidentSpu::obey(ResidentOrder order, unsigned int records) {
   return events.finish();
 }
 
+// The steps are not inlined, so that the program's symbols tell what each took.
+
 void ResidentSpu::fetch(unsigned int records) {
   get_all(records_, ea_of(job_.records), records * sizeof(ResidentRecord), kRecordTag);
   wait_for_tag(kRecordTag);
@@ -80,7 +82,7 @@ void ResidentSpu::list_by_place(unsigned int records) {
   listed_ = remove_duplicates(keys_, list_, vectors);
 }
 
-void ResidentSpu::list_by_key(unsigned int records) {
+[[gnu::noinline]] void ResidentSpu::list_by_key(unsigned int records) {
   auto* keys = (int*)keys_;
   for (unsigned int i = 0; i < records; ++i) {
     keys[i] = spu_extract(ordered_bits(records_[i].low), static_cast<int>(axis_.axis));
@@ -90,7 +92,7 @@ void ResidentSpu::list_by_key(unsigned int records) {
 }
 
 // Sorts the records' numbers by key; returns the vectors that they and what fills them up take.
-unsigned int ResidentSpu::sort_list(unsigned int records) {
+[[gnu::noinline]] unsigned int ResidentSpu::sort_list(unsigned int records) {
   auto* keys = (int*)keys_;
   const unsigned int vectors = network_vectors(records);
   for (unsigned int i = records; i < 4 * vectors; ++i) keys[i] = kLastKey;
@@ -115,12 +117,12 @@ void ResidentSpu::mark_old_boxes() {
   }
 }
 
-void ResidentSpu::insert_marked() {
+[[gnu::noinline]] void ResidentSpu::insert_marked() {
   for (unsigned int i = 0; i < listed_; ++i) set_tag(records_[i], marked_tag(slot_of(records_[i]), i));
   merge_bodies(axis_, records_, (const int*)list_, listed_);
 }
 
-void ResidentSpu::move_marked() {
+[[gnu::noinline]] void ResidentSpu::move_marked() {
   const auto* list = (const int*)list_;
   unsigned int lowest = axis_.count;
   for (unsigned int i = 0; i < listed_; ++i) {
@@ -132,8 +134,8 @@ void ResidentSpu::move_marked() {
 }
 
 // SPUs take turns in the records, so that the shares are alike wherever the bodies are.
-void ResidentSpu::sweep_share(const BodyBox* own, const BodyBox* elsewhere, unsigned int flag,
-                              EventStream& events) const {
+[[gnu::noinline]] void ResidentSpu::sweep_share(const BodyBox* own, const BodyBox* elsewhere,
+                                                unsigned int flag, EventStream& events) const {
   Sweep state(axis_, elsewhere, flag, events);
   const auto* list = (const int*)list_;
   for (unsigned int i = 0; i < listed_; ++i) {
@@ -142,7 +144,7 @@ void ResidentSpu::sweep_share(const BodyBox* own, const BodyBox* elsewhere, unsi
   }
 }
 
-void ResidentSpu::unmark() {
+[[gnu::noinline]] void ResidentSpu::unmark() {
   for (unsigned int i = 0; i < listed_; ++i) {
     const unsigned int slot = slot_of(records_[((const int*)list_)[i]]);
     set_tag_at(axis_, axis_.place[slot], slot);
