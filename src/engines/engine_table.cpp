@@ -6,6 +6,7 @@
 #include "cellsweep/engines.h"
 #include "cellsweep/local_store.h"
 #include "engines/control/control.h"
+#include "engines/stream/stream.h"
 #ifdef CELLSWEEP_CELL_ENGINES
 #include "engines/cell/cell_engines.h"
 #endif
@@ -40,6 +41,9 @@ constexpr std::array kEntries = {
           make_cell_resident,
           cell_resident_map},
 #endif
+    Entry{{"stream",
+           "worlds of any size and density: cells within cells, wide vectors, threads; cost follows change"},
+          make_stream},
 };
 
 constexpr auto kTable = [] {
