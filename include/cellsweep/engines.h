@@ -27,11 +27,24 @@ enum class SpeEngine {
          ///< compiler
 };
 
+/// The instruction set of an engine's vector kernels.
+enum class VectorIsa {
+  best,      ///< the widest that the processor has
+  portable,  ///< plain C++, on any processor
+  sse41,     ///< x86: four boxes at a time
+  avx2,      ///< eight
+  avx512     ///< sixteen
+};
+
 /// Settings of all engines; an engine reads those that it names and ignores the others.
 struct EngineOptions {
   /// Worker threads of engines that have them; 0 lets the engine choose. `control` has one thread, as in the
-  /// document, and the Cell engines have SPUs instead.
+  /// document, and the Cell engines have SPUs instead. `stream` uses as many as are asked for, as soon
+  /// as each has 16 bodies to do; left to itself, as many as the machine has, 16 at most, where they pay.
   unsigned threads = 0;
+
+  /// stream: the instruction set of its kernels.
+  VectorIsa isa = VectorIsa::best;
 
   /// control: run listing 4.5 to the letter: an overlap test that misses a box inside another, and an order
   /// by value only that misses touches. Not exact; there to count what it misses.

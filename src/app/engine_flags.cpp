@@ -18,6 +18,17 @@ void EngineFlags::add_to(CLI::App& command, std::string only) {
       .add_option("--threads", options_.threads,
                   "Worker threads of engines that have them; 0: the engine chooses")
       ->capture_default_str();
+  static const std::map<std::string, VectorIsa> kIsas = {{"best", VectorIsa::best},
+                                                         {"portable", VectorIsa::portable},
+                                                         {"sse4.1", VectorIsa::sse41},
+                                                         {"avx2", VectorIsa::avx2},
+                                                         {"avx512", VectorIsa::avx512}};
+  command
+      .add_option("--isa", options_.isa,
+                  "stream: instruction set of its kernels: best, portable, sse4.1, avx2 or avx512")
+      ->transform(CLI::CheckedTransformer(kIsas, CLI::ignore_case).description(""))
+      ->type_name("NAME")
+      ->default_str("best");
   command.add_flag("--literal", options_.literal,
                    "control, cell-paper: the document's logic to the letter, misses and all (not exact)");
   command

@@ -15,7 +15,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/cellsweep-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/cellsweep-config-version.cmake DESTINATION ${cellsweep_package_dir})
 
 # The library is static, so what it needs from the system is on every user's link line.
-set(cellsweep_pc_libs "")
+set(cellsweep_pc_libs " -pthread")
 if(CELLSWEEP_CELL_ENGINES)
   set(cellsweep_pc_libs " -pthread -ldl")
 endif()

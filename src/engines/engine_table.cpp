@@ -6,6 +6,7 @@
 #include "cellsweep/engines.h"
 #include "cellsweep/local_store.h"
 #include "engines/control/control.h"
+#include "engines/stream/stream.h"
 #ifdef CELLSWEEP_CELL_ENGINES
 #include "engines/cell/cell_engines.h"
 #endif
@@ -43,6 +44,9 @@ constexpr std::array kEntries = {
           make_cell_resident,
           cell_resident_map},
 #endif
+    Entry{{"stream",
+           "worlds of any size and density: cells within cells, wide vectors, threads; cost follows change"},
+          make_stream},
 #ifdef CELLSWEEP_EMBREE
     Entry{{"embree", "for comparison: a ray tracer's tree over all boxes, built anew and run against itself"},
           make_embree},

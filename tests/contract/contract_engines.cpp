@@ -81,6 +81,12 @@ std::vector<ContractEngine> list_engines() {
     engines.push_back({std::string(info.name), {}, label_of(info.name)});
   }
   engines.push_back({"control", {.pair_map_bytes = kSmallPairMap}, "control_with_a_small_pair_map"});
+#if !defined(CELLSWEEP_SANITIZED_TESTS)
+  // Under sanitizers the determinism contract and the engine's own tests have threads enough.
+  engines.push_back({"stream", {.threads = 3}, "stream_with_three_threads"});
+#endif
+  engines.push_back(
+      {"stream", {.threads = 1, .isa = VectorIsa::portable}, "stream_with_one_thread_and_portable_kernels"});
   if (is_in_table("cell-paper")) {
     add_cell_options(engines);
     add_isa_engines(engines);

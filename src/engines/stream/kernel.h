@@ -1,0 +1,82 @@
+/// @file
+/// The inner loops of engine `stream`: a cell's boxes against each other, as many at a time as a vector
+/// holds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "cellsweep/engines.h"
+#include "cellsweep/pair.h"
+
+namespace cellsweep::stream {
+
+/// The largest vector of any kernel, in boxes. Boxes of a cell have room for as many behind the last one.
+inline constexpr std::uint32_t kMaxLanes = 16;
+
+/// A tag holds a body's slot and, above it, on which axes the body's minimum lies in the cell.
+inline constexpr unsigned kSlotBits = 29;
+inline constexpr std::uint32_t kSlotMask = (1U << kSlotBits) - 1;
+/// All axes.
+inline constexpr std::uint32_t kWholeFlags = 7;
+
+/// The boxes of one cell: seven arrays of `capacity` elements, one after the other: minimum x, y, z, maximum
+/// x, y, z, tag. Of each, `count` elements hold something. `capacity` is a multiple of 8, at least kMaxLanes.
+struct CellBoxes {
+  float* arrays = nullptr;
+  std::uint32_t count = 0;
+  std::uint32_t capacity = 0;
+
+  float* faces(unsigned face) const { return arrays + std::size_t{face} * capacity; }
+  std::uint32_t* tags() const { return reinterpret_cast<std::uint32_t*>(arrays + std::size_t{6} * capacity); }
+};
+
+/// The number of 4-byte elements that a cell of a capacity takes.
+inline std::size_t cell_elements(std::size_t capacity) {
+  return 7 * capacity;
+}
+
+/// Pair keys (pair_key()), growing. The kernels write behind the end and move it.
+struct KeyBuffer {
+  std::uint64_t* keys = nullptr;
+  std::size_t size = 0;
+  std::size_t capacity = 0;
+  void (*grow)(KeyBuffer& buffer, std::size_t more) = nullptr;
+
+  /// Makes room for `more` keys behind the end.
+  void need(std::size_t more) {
+    if (capacity - size < more) grow(*this, more);
+  }
+};
+
+/// Where to tell what a change of a cell did to pairs.
+struct KeyChanges {
+  KeyBuffer& began;
+  KeyBuffer& ended;
+};
+
+/// The kernels of one instruction set. Bodies' ids are looked up by slot in `ids`; null when they are equal.
+///
+/// Of the cells that two overlapping boxes share, one owns the pair: that which holds the lower corner of
+/// what they share. It does when on each axis one of the two minima lies in the cell, which the tags tell.
+struct Kernels {
+  VectorIsa isa;
+  const char* name;
+  unsigned lanes;
+
+  /// Appends every overlapping pair that the cell owns.
+  void (*all_pairs)(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found);
+
+  /// Appends the pairs with a changed box that the cell owned before and does not now, and the other way
+  /// round. `old` and `now` have the same bodies at the same places, with NaN for one that is not there;
+  /// `changed` lists the places that differ, each once; `rank` says for each place where in that list it is,
+  /// and a larger number for the others.
+  void (*changed_pairs)(const CellBoxes& old, const CellBoxes& now, std::span<const std::uint32_t> changed,
+                        const std::uint32_t* rank, const BodyId* ids, const KeyChanges& changes);
+};
+
+/// The kernels of an instruction set, or of the best one; null when this processor or build does not have it.
+const Kernels* find_kernels(VectorIsa isa);
+
+}  // namespace cellsweep::stream

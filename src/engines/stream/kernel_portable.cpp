@@ -1,0 +1,30 @@
+#include "engines/stream/kernel_body.h"
+#include "engines/stream/kernel_sets.h"
+
+namespace cellsweep::stream {
+namespace {
+
+/// Four boxes at a time in plain C++.
+struct PortableLanes {
+  static constexpr unsigned kCount = 4;
+  struct Vector {
+    float lane[kCount];
+  };
+  using Mask = std::uint32_t;
+
+  static Vector load(const float* from) { return {{from[0], from[1], from[2], from[3]}}; }
+  static Vector broadcast(const float* from) { return {{*from, *from, *from, *from}}; }
+  static Mask less_equal(const Vector& a, const Vector& b) {
+    Mask mask = 0;
+    for (unsigned i = 0; i < kCount; ++i) mask |= (a.lane[i] <= b.lane[i] ? 1U : 0U) << i;
+    return mask;
+  }
+  static Mask both(Mask a, Mask b) { return a & b; }
+  static std::uint32_t bits(Mask mask) { return mask; }
+};
+
+}  // namespace
+
+const Kernels kPortableKernels = make_kernels<PortableLanes>(VectorIsa::portable, "portable");
+
+}  // namespace cellsweep::stream

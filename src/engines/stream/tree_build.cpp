@@ -1,0 +1,219 @@
+#include "engines/stream/tree_build.h"
+
+#include <algorithm>
+
+namespace cellsweep::stream {
+namespace {
+
+/// A cell with more boxes is cut again when that pays.
+constexpr std::uint32_t kLargestCell = 160;
+/// Boxes that no cut tells apart are compared all with all from here on.
+constexpr unsigned kDeepest = 24;
+
+void put(const CellBoxes& cell, std::uint32_t place, const Aabb& box, std::uint32_t tag) {
+  float* at = cell.arrays + place;
+  const std::size_t step = cell.capacity;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    at[axis * step] = box.min[axis];
+    at[(axis + 3) * step] = box.max[axis];
+  }
+  cell.tags()[place] = tag;
+}
+
+bool is_there(const Aabb& box) {
+  return box.min[0] <= box.max[0];
+}
+
+/// Turns each worker's counts into the places where it begins to write, and says how much a cell gets in all.
+void add_up(std::uint32_t* counts, unsigned workers, std::uint32_t cells, std::uint32_t* sums) {
+  for (std::uint32_t cell = 0; cell < cells; ++cell) {
+    std::uint32_t sum = 0;
+    for (unsigned worker = 0; worker < workers; ++worker) {
+      std::uint32_t& place = counts[std::size_t{worker} * cells + cell];
+      const std::uint32_t here = place;
+      place = sum;
+      sum += here;
+    }
+    sums[cell] = sum;
+  }
+}
+
+/// A list in an arena that nobody else takes from in the meantime. It moves when it outgrows its place.
+template <class T>
+class CopyList {
+ public:
+  CopyList(Arena& arena, std::size_t expected) : arena_(arena), capacity_(2 * expected + 64) {
+    list_ = arena_.take<T>(capacity_);
+  }
+
+  /// Where to write the next `count`.
+  T* room(std::size_t count) {
+    if (size_ + count > capacity_) grow(count);
+    return list_ + size_;
+  }
+  void added(std::size_t count) { size_ += count; }
+  std::span<const T> view() const { return {list_, size_}; }
+
+ private:
+  void grow(std::size_t count) {
+    capacity_ = 2 * capacity_ + count;
+    T* larger = arena_.take<T>(capacity_);
+    std::copy_n(list_, size_, larger);
+    list_ = larger;
+  }
+
+  Arena& arena_;
+  T* list_ = nullptr;
+  std::size_t size_ = 0;
+  std::size_t capacity_;
+};
+
+}  // namespace
+
+CellBoxes new_cell(Arena& arena, std::size_t count) {
+  CellBoxes cell;
+  const std::size_t wanted = std::max<std::size_t>(count + count / 16, kMaxLanes);
+  cell.capacity = static_cast<std::uint32_t>((wanted + 7) / 8 * 8);
+  // A vector that starts inside of the last array may end behind it.
+  cell.arrays = arena.take<float>(cell_elements(cell.capacity) + kMaxLanes);
+  return cell;
+}
+
+void TreeBuilder::build(const Boxes& boxes, Node& root) {
+  const GridChoice choice = choose_grid(boxes);
+  root.grid = choice.pays ? choice.grid : Grid();
+  const std::uint32_t cells = root.grid.cells();
+  const unsigned workers = pool_.active();
+  Desk& desk = *desks_[0];
+  auto* counts = desk.scratch.take<std::uint32_t>(std::size_t{workers} * cells);
+  auto* sums = desk.scratch.take<std::uint32_t>(cells);
+  std::fill_n(counts, std::size_t{workers} * cells, 0);
+  std::vector<std::span<const Copy>> copies(workers);
+  pool_.run([&](unsigned worker) {
+    copies[worker] = list_copies(boxes, Share::of(boxes.count, worker, workers), root.grid,
+                                 counts + std::size_t{worker} * cells, desks_[worker]->scratch);
+  });
+  add_up(counts, workers, cells, sums);
+  const Target* targets = make_targets(sums, cells, desk);
+  root.cells = desk.cells.take<Cell>(cells);
+  pool_.run(
+      [&](unsigned worker) { fill(boxes, copies[worker], targets, counts + std::size_t{worker} * cells); });
+  pool_.for_each(cells, 4, [&](unsigned worker, std::size_t cell) {
+    finish_cell(targets[cell], root.cells[cell], *desks_[worker], 1);
+  });
+}
+
+// Which box goes into which cells, and how many come into each. Whether a box reaches into one cell or two is
+// as good as random: no branch asks for it.
+std::span<const TreeBuilder::Copy> TreeBuilder::list_copies(const Boxes& boxes, Share share, const Grid& grid,
+                                                            std::uint32_t* counts, Arena& arena) const {
+  CopyList<Copy> list(arena, share.last - share.first);
+  for (std::size_t i = share.first; i < share.last; ++i) {
+    const Aabb& box = boxes.boxes[i];
+    if (!is_there(box)) continue;
+    const CellBlock block = grid.block_of(box);
+    const auto index = static_cast<std::uint32_t>(i);
+    if (const std::uint32_t cells = block.cells(); cells <= 2) {
+      const std::uint32_t second = grid.second_cell(block);
+      Copy* to = list.room(2);
+      to[0] = {index, block.first | kWholeFlags << kSlotBits};
+      to[1] = {index, second | block.second_flags() << kSlotBits};
+      ++counts[block.first];
+      counts[second] += cells - 1;
+      list.added(cells);
+    } else {
+      Copy* to = list.room(cells);
+      grid.for_each_cell(block, [&](std::uint32_t cell, std::uint32_t flags) {
+        *to++ = {index, cell | flags << kSlotBits};
+        ++counts[cell];
+      });
+      list.added(cells);
+    }
+  }
+  return list.view();
+}
+
+void TreeBuilder::fill(const Boxes& boxes, std::span<const Copy> copies, const Target* targets,
+                       std::uint32_t* places) const {
+  for (const Copy& copy : copies) {
+    const std::uint32_t cell = copy.cell_and_flags & kSlotMask;
+    const Target& target = targets[cell];
+    const std::uint32_t place = places[cell]++;
+    const Aabb& box = boxes.boxes[copy.box];
+    const std::uint32_t tag =
+        boxes.tags == nullptr ? copy.box | kWholeFlags << kSlotBits : boxes.tags[copy.box];
+    const std::uint32_t tag_here = tag & (copy.cell_and_flags | kSlotMask);
+    if (target.boxes == nullptr) {
+      put(target.cell, place, box, tag_here);
+    } else {
+      target.boxes[place] = box;
+      target.tags[place] = tag_here;
+    }
+  }
+}
+
+TreeBuilder::Target* TreeBuilder::make_targets(const std::uint32_t* counts, std::uint32_t cells,
+                                               Desk& desk) const {
+  auto* targets = desk.scratch.take<Target>(cells);
+  std::size_t crowded = 0;
+  for (std::uint32_t i = 0; i < cells; ++i) crowded += counts[i] > kLargestCell ? counts[i] : 0;
+  Aabb* boxes = desk.scratch.take<Aabb>(crowded);
+  auto* tags = desk.scratch.take<std::uint32_t>(crowded);
+  for (std::uint32_t i = 0; i < cells; ++i) {
+    targets[i] = Target{};
+    if (counts[i] > kLargestCell) {
+      targets[i].boxes = boxes;
+      targets[i].tags = tags;
+      boxes += counts[i];
+      tags += counts[i];
+    } else if (counts[i] > 0) {
+      targets[i].cell = new_cell(desk.cells, counts[i]);
+    }
+    targets[i].cell.count = counts[i];
+    desk.copies += counts[i];
+  }
+  return targets;
+}
+
+void TreeBuilder::finish_cell(const Target& target, Cell& cell, Desk& desk, unsigned depth) const {
+  cell = Cell{target.cell, nullptr};
+  if (target.boxes != nullptr) {
+    return build_inside({target.boxes, target.tags, target.cell.count}, cell, desk, depth);
+  }
+  kernels_.all_pairs(cell.boxes, ids_, desk.found.buffer());
+}
+
+void TreeBuilder::build_inside(const Boxes& boxes, Cell& cell, Desk& desk, unsigned depth) const {
+  const GridChoice choice = depth < kDeepest ? choose_grid(boxes) : GridChoice{};
+  if (!choice.pays) return keep_whole(boxes, cell, desk);
+  cell.boxes = CellBoxes{};
+  cell.node = desk.cells.take<Node>(1);
+  *cell.node = Node{choice.grid, nullptr};
+  split(boxes, *cell.node, desk, depth);
+}
+
+void TreeBuilder::split(const Boxes& boxes, Node& node, Desk& desk, unsigned depth) const {
+  const ArenaScope scope(desk.scratch);
+  const std::uint32_t cells = node.grid.cells();
+  const Share all{0, boxes.count};
+  auto* counts = desk.scratch.take<std::uint32_t>(cells);
+  std::fill_n(counts, cells, 0);
+  const auto copies = list_copies(boxes, all, node.grid, counts, desk.scratch);
+  desk.copies -= boxes.count;
+  const Target* targets = make_targets(counts, cells, desk);
+  std::fill_n(counts, cells, 0);
+  fill(boxes, copies, targets, counts);
+  node.cells = desk.cells.take<Cell>(cells);
+  for (std::uint32_t i = 0; i < cells; ++i) finish_cell(targets[i], node.cells[i], desk, depth + 1);
+}
+
+void TreeBuilder::keep_whole(const Boxes& boxes, Cell& cell, Desk& desk) const {
+  cell.boxes = new_cell(desk.cells, boxes.count);
+  cell.boxes.count = static_cast<std::uint32_t>(boxes.count);
+  for (std::size_t i = 0; i < boxes.count; ++i) {
+    put(cell.boxes, static_cast<std::uint32_t>(i), boxes.boxes[i], boxes.tags[i]);
+  }
+  kernels_.all_pairs(cell.boxes, ids_, desk.found.buffer());
+}
+
+}  // namespace cellsweep::stream

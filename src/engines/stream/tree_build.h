@@ -1,0 +1,56 @@
+/// @file
+/// Builds a CellTree and finds all pairs on the way, each cell's while its boxes are in the cache.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engines/stream/cell_tree.h"
+
+namespace cellsweep::stream {
+
+class TreeBuilder {
+ public:
+  TreeBuilder(Pool& pool, const Kernels& kernels, std::span<const std::unique_ptr<Desk>> desks,
+              const BodyId* ids)
+      : pool_(pool), kernels_(kernels), desks_(desks), ids_(ids) {}
+
+  void build(const Boxes& boxes, Node& root);
+
+ private:
+  // A cell while boxes are put into it: `boxes` and `tags` for one that is cut again.
+  struct Target {
+    CellBoxes cell;
+    Aabb* boxes = nullptr;
+    std::uint32_t* tags = nullptr;
+  };
+
+  // A box on its way into a cell: its place in the list of boxes, the cell, and above that the flags to be
+  // left in its tag.
+  struct Copy {
+    std::uint32_t box;
+    std::uint32_t cell_and_flags;
+  };
+
+  std::span<const Copy> list_copies(const Boxes& boxes, Share share, const Grid& grid, std::uint32_t* counts,
+                                    Arena& arena) const;
+  void fill(const Boxes& boxes, std::span<const Copy> copies, const Target* targets,
+            std::uint32_t* places) const;
+  Target* make_targets(const std::uint32_t* counts, std::uint32_t cells, Desk& desk) const;
+  void finish_cell(const Target& target, Cell& cell, Desk& desk, unsigned depth) const;
+  void build_inside(const Boxes& boxes, Cell& cell, Desk& desk, unsigned depth) const;
+  void split(const Boxes& boxes, Node& node, Desk& desk, unsigned depth) const;
+  void keep_whole(const Boxes& boxes, Cell& cell, Desk& desk) const;
+
+  Pool& pool_;
+  const Kernels& kernels_;
+  std::span<const std::unique_ptr<Desk>> desks_;
+  const BodyId* ids_;
+};
+
+/// Room for `count` boxes and some more.
+CellBoxes new_cell(Arena& arena, std::size_t count);
+
+}  // namespace cellsweep::stream

@@ -1,0 +1,168 @@
+/// @file
+/// The kernels of every instruction set against the plain overlap test.
+#include "engines/stream/kernel.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+#include "contract/random.h"
+#include "engines/stream/pair_list.h"
+
+namespace cellsweep::stream {
+namespace {
+
+using contract::Random;
+
+/// A cell with memory of its own.
+class TestCell {
+ public:
+  explicit TestCell(std::uint32_t count) {
+    boxes_.count = count;
+    boxes_.capacity = std::max((count + 7) / 8 * 8, kMaxLanes);
+    memory_.resize(cell_elements(boxes_.capacity) + kMaxLanes);
+    boxes_.arrays = memory_.data();
+  }
+  TestCell(const TestCell& other) : memory_(other.memory_), boxes_(other.boxes_) {
+    boxes_.arrays = memory_.data();
+  }
+
+  void set(std::uint32_t place, const Aabb& box, std::uint32_t tag) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      boxes_.faces(axis)[place] = box.min[axis];
+      boxes_.faces(axis + 3)[place] = box.max[axis];
+    }
+    boxes_.tags()[place] = tag;
+  }
+  Aabb box(std::uint32_t place) const {
+    Aabb box;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      box.min[axis] = boxes_.faces(axis)[place];
+      box.max[axis] = boxes_.faces(axis + 3)[place];
+    }
+    return box;
+  }
+  std::uint32_t tag(std::uint32_t place) const { return boxes_.tags()[place]; }
+  const CellBoxes& boxes() const { return boxes_; }
+
+ private:
+  std::vector<float> memory_;
+  CellBoxes boxes_;
+};
+
+Aabb random_box(Random& random) {
+  Aabb box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.min[axis] = static_cast<float>(random.whole(0, 6));
+    box.max[axis] = box.min[axis] + static_cast<float>(random.whole(0, 3));
+  }
+  return box;
+}
+
+std::uint32_t random_tag(Random& random, std::uint32_t slot) {
+  return slot | static_cast<std::uint32_t>(random.below(8) | random.below(8)) << kSlotBits;
+}
+
+TestCell random_cell(Random& random, std::uint32_t count) {
+  TestCell cell(count);
+  for (std::uint32_t i = 0; i < count; ++i) cell.set(i, random_box(random), random_tag(random, i));
+  return cell;
+}
+
+bool is_owned(const TestCell& cell, std::uint32_t i, std::uint32_t j) {
+  return overlap(cell.box(i), cell.box(j)) && ((cell.tag(i) | cell.tag(j)) >> kSlotBits) == kWholeFlags;
+}
+
+std::vector<std::uint64_t> sorted(const Keys& keys) {
+  std::vector<std::uint64_t> all(keys.view().begin(), keys.view().end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+class KernelOf : public testing::TestWithParam<VectorIsa> {
+ protected:
+  void SetUp() override {
+    kernels_ = find_kernels(GetParam());
+    if (kernels_ == nullptr) GTEST_SKIP() << "this machine or build does not have it";
+  }
+  const Kernels* kernels_ = nullptr;
+};
+
+TEST_P(KernelOf, FindsEveryPairThatTheCellOwnsOnce) {
+  Random random(1);
+  for (std::uint32_t count = 0; count < 150; ++count) {
+    const TestCell cell = random_cell(random, count);
+    std::vector<std::uint64_t> expected;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (std::uint32_t j = i + 1; j < count; ++j) {
+        if (is_owned(cell, i, j)) expected.push_back(pair_key({i, j}));
+      }
+    }
+    Keys found;
+    kernels_->all_pairs(cell.boxes(), nullptr, found.buffer());
+    ASSERT_EQ(sorted(found), expected) << count << " boxes";
+  }
+}
+
+TEST_P(KernelOf, NamesBodiesByTheirIdsTheLowerFirst) {
+  TestCell cell(2);
+  cell.set(0, Aabb{}, 0 | kWholeFlags << kSlotBits);
+  cell.set(1, Aabb{}, 1 | kWholeFlags << kSlotBits);
+  const std::vector<BodyId> ids = {0xfffffff0, 7};
+  Keys found;
+  kernels_->all_pairs(cell.boxes(), ids.data(), found.buffer());
+  EXPECT_EQ(sorted(found), std::vector<std::uint64_t>{pair_key({7, 0xfffffff0})});
+}
+
+TEST_P(KernelOf, FindsWhichPairsBeganAndEnded) {
+  Random random(2);
+  for (std::uint32_t count = 1; count < 100; ++count) {
+    const TestCell old = random_cell(random, count);
+    TestCell now = old;
+    std::vector<std::uint32_t> changed;
+    std::vector<std::uint32_t> rank(count, ~0U);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (!random.one_in(3)) continue;
+      rank[i] = static_cast<std::uint32_t>(changed.size());
+      changed.push_back(i);
+      now.set(i, random_box(random), random_tag(random, i));
+    }
+    std::vector<std::uint64_t> began;
+    std::vector<std::uint64_t> ended;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (std::uint32_t j = i + 1; j < count; ++j) {
+        if (is_owned(now, i, j) && !is_owned(old, i, j)) began.push_back(pair_key({i, j}));
+        if (!is_owned(now, i, j) && is_owned(old, i, j)) ended.push_back(pair_key({i, j}));
+      }
+    }
+    Keys began_keys;
+    Keys ended_keys;
+    kernels_->changed_pairs(old.boxes(), now.boxes(), changed, rank.data(), nullptr,
+                            {began_keys.buffer(), ended_keys.buffer()});
+    ASSERT_EQ(sorted(began_keys), began) << count << " boxes";
+    ASSERT_EQ(sorted(ended_keys), ended) << count << " boxes";
+  }
+}
+
+TEST_P(KernelOf, AnswersToItsName) {
+  EXPECT_EQ(kernels_->isa, GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, KernelOf, testing::Values(VectorIsa::portable, VectorIsa::sse41, VectorIsa::avx2, VectorIsa::avx512),
+    [](const auto& test) { return "Isa" + std::to_string(static_cast<int>(test.param)); });
+
+TEST(Kernels, TheBestAreThereAndTheWidestOfThoseThatThereAre) {
+  const Kernels* best = find_kernels(VectorIsa::best);
+  ASSERT_NE(best, nullptr);
+  for (const VectorIsa isa : {VectorIsa::portable, VectorIsa::sse41, VectorIsa::avx2, VectorIsa::avx512}) {
+    const Kernels* other = find_kernels(isa);
+    EXPECT_TRUE(other == nullptr || best->lanes >= other->lanes);
+  }
+}
+
+}  // namespace
+}  // namespace cellsweep::stream
