@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "isa/big_endian.h"
+#include "mfc/byte_order.h"
 #include "mfc/command.h"
 
 namespace spu_emu::isa {
@@ -16,7 +17,9 @@ void OverlayImage::provide(std::span<const std::byte> file, const ElfProgram& pr
   lines_ = std::make_unique<Line[]>(file.size() / sizeof(Line) + 1);
   auto* copy = reinterpret_cast<std::byte*>(lines_.get());
   std::memcpy(copy, file.data(), file.size());
-  for (std::size_t at = 0; at < file.size(); at += 4) std::reverse(copy + at, copy + at + 4);
+  if (kSpuWordOrder == WordOrder::swapped) {
+    for (std::size_t at = 0; at < file.size(); at += 4) std::reverse(copy + at, copy + at + 4);
+  }
   write_doubleword(local_store + address->address, reinterpret_cast<std::uintptr_t>(copy));
 }
 

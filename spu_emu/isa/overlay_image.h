@@ -10,8 +10,8 @@
 
 namespace spu_emu::isa {
 
-/// A copy of the file with the bytes of each word swapped, so that the swap of every transfer makes them
-/// right again.
+/// A copy of the file, the bytes of each word swapped where transfers swap them, too, and so make them right
+/// again.
 class OverlayImage {
  public:
   /// Copies `file` if `program` asks for it: its symbol _EAR_ is the doubleword in the local store at

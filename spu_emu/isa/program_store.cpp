@@ -29,6 +29,13 @@ std::optional<std::uint32_t> loaded_stack_address(std::uint32_t word) {
 bool is_zero(std::byte byte) {
   return byte == std::byte{0};
 }
+
+/// After every stop the whole store is looked through, so not byte by byte.
+bool is_zero_quadword(const std::byte* bytes) {
+  std::uint64_t halves[2];
+  std::memcpy(halves, bytes, sizeof halves);
+  return (halves[0] | halves[1]) == 0;
+}
 }  // namespace
 
 ProgramStore::ProgramStore(Arena& arena, const EmulationSettings& settings, StoreObserver& observer)
@@ -75,7 +82,7 @@ std::optional<std::uint32_t> ProgramStore::touched_beyond_limit() const {
 std::uint32_t ProgramStore::bytes_in_use() const {
   std::uint32_t used = end_;
   for (std::uint32_t at = (end_ + kQuadword - 1) / kQuadword * kQuadword; at < limit_; at += kQuadword) {
-    if (!std::all_of(bytes() + at, bytes() + at + kQuadword, is_zero)) used += kQuadword;
+    if (!is_zero_quadword(bytes() + at)) used += kQuadword;
   }
   return used;
 }

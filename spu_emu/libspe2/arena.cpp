@@ -2,40 +2,39 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <new>
+
+#include "mfc/command.h"
 
 namespace spu_emu {
 
 namespace {
-constexpr std::uint64_t kWindow = std::uint64_t{1} << 32U;
+// To reserve a whole window takes an emulator of a user's processes, which keeps account of every page, a
+// tenth of a second; only programs compiled for this machine need it.
+#ifdef SPU_EMU_HOST_ENGINE
+constexpr bool kHasStack = true;
+constexpr auto kExtent = AddressWindow::Extent::whole;
+constexpr std::uint32_t kMostBytes = UINT32_MAX;
+#else
+constexpr bool kHasStack = false;
+constexpr auto kExtent = AddressWindow::Extent::parts;
+constexpr std::uint32_t kMostBytes = kLocalStoreSize;
+#endif
 
 void allow(std::byte* first, std::size_t size) {
   if (mprotect(first, size, PROT_READ | PROT_WRITE) != 0) throw std::bad_alloc();
 }
 }  // namespace
 
-Arena::Arena(std::uint32_t local_store_size) : local_store_size_(local_store_size) {
-  // A window aligned to its size, and one page before it, fit into two windows wherever those lie.
-  void* reserved = mmap(nullptr, 2 * kWindow, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (reserved == MAP_FAILED) throw std::bad_alloc();
-  reservation_ = static_cast<std::byte*>(reserved);
-  const auto first = reinterpret_cast<std::uintptr_t>(reservation_);
-  base_ = reservation_ + ((first / kWindow + 1) * kWindow - first);
-  try {
-    allow(base_, local_store_size_);
-    allow(stack(), kStackSize);
-  } catch (...) {
-    munmap(reservation_, 2 * kWindow);
-    throw;
-  }
+Arena::Arena(std::uint32_t local_store_size)
+    : window_(kExtent), local_store_size_(std::min(local_store_size, kMostBytes)) {
+  allow(base(), local_store_size_);
+  if (kHasStack) allow(stack(), kStackSize);
 }
 
 void Arena::make_accessible(std::uint32_t size) {
-  if (size > local_store_size_) allow(base_, size);
-}
-
-Arena::~Arena() {
-  munmap(reservation_, 2 * kWindow);
+  if (size > local_store_size_) allow(base(), size);
 }
 
 }  // namespace spu_emu

@@ -102,7 +102,7 @@ Piece CommandQueue::make_piece(const Command& command, std::uint32_t ls, std::ui
   if (mode_ != DmaMode::unchecked) {
     std::byte* host = check_transfer(command, ls, ea, size, *store_);
     // For real SPU code the check before has asked already.
-    if (late() && store_->word_order() == WordOrder::same) check_mapped(command, ea, size);
+    if (late() && !store_->has_real_code()) check_mapped(command, ea, size);
     return {host, ls, size, ea};
   }
   std::byte* host = store_->at(ls, size);

@@ -40,6 +40,9 @@ class LocalStoreView {
   /// `swapped`: every 32-bit word that moves between main memory and this local store has its bytes swapped.
   WordOrder word_order() const noexcept { return order_; }
 
+  /// Whether real SPU code runs in it: instructions are decoded from it, so somebody learns of changes.
+  bool has_real_code() const noexcept { return observer_ != nullptr || order_ == WordOrder::swapped; }
+
   /// To be called after bytes were changed by the MFC.
   void note_written(std::uint32_t ls, std::uint32_t size) noexcept {
     if (observer_ != nullptr) observer_->store_written(ls, size);

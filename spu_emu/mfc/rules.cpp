@@ -62,7 +62,7 @@ void check_list(const Command& command, LocalStoreView& store) {
 /// Real SPU code is no part of this process: what it names is checked before this process touches it.
 void check_if_foreign(const Command& command, std::uint64_t ea, std::uint32_t size,
                       const LocalStoreView& store) {
-  if (store.word_order() == WordOrder::swapped) check_mapped(command, ea, size);
+  if (store.has_real_code()) check_mapped(command, ea, size);
 }
 
 void check_line(const Command& command, LocalStoreView& store) {
@@ -165,11 +165,12 @@ void check_words(const Command& command, std::uint32_t ls, std::uint64_t ea, std
 namespace {
 constexpr std::uint64_t kPage = 4096;
 
-/// Linux can be asked since 5.14 whether pages may be read or written, without touching them.
+/// Linux can be asked since 5.14 whether pages may be read or written, without touching them. Emulators of
+/// user processes say yes whatever the page.
 bool has_populate() {
   static const bool has = [] {
     alignas(kPage) static std::byte page[kPage];
-    return madvise(page, kPage, MADV_POPULATE_WRITE) == 0;
+    return madvise(page, kPage, MADV_POPULATE_WRITE) == 0 && madvise(nullptr, kPage, MADV_POPULATE_READ) != 0;
   }();
   return has;
 }

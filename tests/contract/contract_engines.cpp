@@ -52,9 +52,10 @@ void add_cell_options(std::vector<ContractEngine>& engines) {
   engines.push_back({"cell-resident", late_five_spus, "cell_resident_with_late_dma_five_spus_and_spu_boxes"});
 }
 
-/// The programs as a real SPU would run them; sanitizers watch the engine itself elsewhere, in its own tests.
+/// The programs as a real SPU would run them; sanitizers watch the engine itself elsewhere, in its own tests,
+/// and in an emulator of another processor there are no other programs.
 void add_isa_engines([[maybe_unused]] std::vector<ContractEngine>& engines) {
-#if !defined(CELLSWEEP_SANITIZED_TESTS)
+#if !defined(CELLSWEEP_SANITIZED_TESTS) && !defined(CELLSWEEP_EMULATED_TESTS)
   const EngineOptions isa{.spe_engine = SpeEngine::isa};
   if (!make_engine("cell-paper", isa)) return;  // built without the SPU compiler
   EngineOptions late = isa;

@@ -9,14 +9,15 @@
 
 #include "contract/checked_engine.h"
 #include "contract/contract_fixture.h"
+#include "contract/effort.h"
 #include "contract/random_caller.h"
 
 namespace cellsweep::contract {
 namespace {
 
-constexpr std::size_t kBodies = 60;
+constexpr std::size_t kBodies = effort(60, 20);
 constexpr std::uint64_t kSeed = 7;
-constexpr int kSteps = 15;
+constexpr int kSteps = effort(15, 3);
 
 /// The answers to one random sequence of calls, in the engine's own order.
 std::vector<Answer> answers_of(const ContractEngine& engine, const BoxKind& kind) {
@@ -43,7 +44,7 @@ using DeterminismContract = PerEngineAndKind;
 TEST_P(DeterminismContract, TheThreadCountChangesNoListAndNoOrder) {
   const auto& [engine, kind] = GetParam();
   const std::vector<Answer> reference = answers_of(engine, kind);
-  for (const unsigned threads : {1U, 2U, 3U, 4U}) {
+  for (unsigned threads = 1; threads <= effort(4U, 2U); ++threads) {
     EXPECT_TRUE(reference == answers_of(with_threads(engine, threads), kind)) << threads << " threads";
   }
 }

@@ -1,12 +1,15 @@
 /// @file
 /// Changes to a scene that must not change which bodies overlap: other orders, names, axes, signs and scales.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numeric>
+#include <span>
 
 #include "contract/contract_fixture.h"
+#include "contract/effort.h"
 #include "contract/random.h"
 
 namespace cellsweep::contract {
@@ -27,7 +30,7 @@ struct Report {
 Film make_film(const BoxKind& kind, std::size_t bodies, std::uint64_t seed) {
   Random random(seed);
   Film film = {make_boxes(kind, random, bodies)};
-  for (int frame = 1; frame < 4; ++frame) {
+  for (int frame = 1; frame < effort(4, 3); ++frame) {
     film.push_back(film.back());
     for (Aabb& box : film.back()) {
       if (random.one_in(2)) box = next_box(kind, random, box, random.pick(film[0]));
@@ -103,7 +106,7 @@ class MetamorphicContract : public PerEngineAndKind {
   void expect_no_difference(const std::function<void(Telling&, Random&)>& change) {
     const auto& [engine, kind] = GetParam();
     const auto room = static_cast<std::size_t>(make(engine)->capacity().bodies);
-    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    for (std::uint64_t seed = 0; seed < effort(4, 1); ++seed) {
       const std::size_t bodies = std::min<std::size_t>(20 + 13 * seed, room);
       const Film film = make_film(kind, bodies, seed);
       Telling telling = plain_telling(bodies);
@@ -156,7 +159,8 @@ TEST_P(MetamorphicContract, WhichBodyHasWhichIdDoesNotMatter) {
 }
 
 TEST_P(MetamorphicContract, WhichAxisIsWhichDoesNotMatter) {
-  for (const std::array<std::size_t, 3> from : {std::array<std::size_t, 3>{1, 2, 0}, {2, 0, 1}, {0, 2, 1}}) {
+  constexpr std::array<std::size_t, 3> kOrders[] = {{1, 2, 0}, {2, 0, 1}, {0, 2, 1}};
+  for (const auto& from : std::span(kOrders).first(effort(3, 1))) {
     expect_no_difference([from](Telling& telling, Random&) {
       telling.transform = [from](const Aabb& box) {
         return Aabb{{box.min[from[0]], box.min[from[1]], box.min[from[2]]},
@@ -167,7 +171,7 @@ TEST_P(MetamorphicContract, WhichAxisIsWhichDoesNotMatter) {
 }
 
 TEST_P(MetamorphicContract, MirroringAnAxisDoesNotMatter) {
-  for (const std::size_t axis : {0, 1, 2}) {
+  for (std::size_t axis = 0; axis < effort(3, 1); ++axis) {
     expect_no_difference([axis](Telling& telling, Random&) {
       telling.transform = [axis](Aabb box) {
         box.min[axis] = -box.min[axis];
@@ -182,7 +186,8 @@ TEST_P(MetamorphicContract, MirroringAnAxisDoesNotMatter) {
 class ScalingContract : public MetamorphicContract {};
 
 TEST_P(ScalingContract, ScalingByAPowerOfTwoDoesNotMatter) {
-  for (const int exponent : {-40, -1, 3, 60}) {
+  constexpr int kExponents[] = {-40, -1, 3, 60};
+  for (const int exponent : std::span(kExponents).first(effort(4, 1))) {
     expect_no_difference([exponent](Telling& telling, Random&) {
       telling.transform = [exponent](Aabb box) {
         for (float& value : box.min) value = std::ldexp(value, exponent);

@@ -4,14 +4,15 @@
 
 #include "contract/checked_engine.h"
 #include "contract/contract_fixture.h"
+#include "contract/effort.h"
 #include "contract/random_caller.h"
 
 namespace cellsweep::contract {
 namespace {
 
 constexpr std::size_t kBodies[] = {0, 1, 2, 3, 4, 5, 15, 16, 17, 33, 64};
-constexpr std::uint64_t kSeeds = 4 * std::size(kBodies);
-constexpr int kSteps = 12;
+constexpr std::uint64_t kSeeds = effort(4, 1) * std::size(kBodies);
+constexpr int kSteps = effort(12, 3);
 
 using SequencesContract = PerEngineAndKind;
 

@@ -134,7 +134,7 @@ Status check_local_store(const EngineOptions& options) {
 }
 
 Status check_isa(const EngineOptions& options) {
-  if (options.spe_engine != SpeEngine::isa) return {};
+  if (options.spe_engine != SpeEngine::isa && !has_only_spu_elf()) return {};
   if (!has_spu_elf()) {
     return {StatusCode::bad_option,
             "spe_engine isa: this build has no programs for a real SPU. Build the SPU compiler with "
@@ -148,7 +148,7 @@ Status check_isa(const EngineOptions& options) {
   if (bytes != 0 && bytes <= kRealLocalStore) return {};
   return {StatusCode::bad_option,
           text("local_store_bytes is ", bytes, bytes == 0 ? " (no limit)" : "", "; a real SPU has ",
-               kRealLocalStore, ", so spe_engine isa has no more."),
+               kRealLocalStore, ", and its programs (spe_engine isa) get no more."),
           std::nullopt,
           bytes,
           kRealLocalStore,

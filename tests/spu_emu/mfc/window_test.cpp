@@ -46,6 +46,14 @@ TEST(Window, an_address_beyond_the_other_local_store_is_refused) {
   EXPECT_NE(text.find("other SPE"), std::string::npos) << text;
 }
 
+TEST(Window, only_its_local_store_and_problem_state_are_more_than_main_memory) {
+  const WindowSpu spu(1);
+  EXPECT_TRUE(SpeDirectory::may_be_window(spu.base + kLocalStoreSize - 1));
+  EXPECT_FALSE(SpeDirectory::may_be_window(spu.base + kLocalStoreSize));
+  EXPECT_FALSE(SpeDirectory::may_be_window(spu.base + kProblemStateOffset - 1));
+  EXPECT_TRUE(SpeDirectory::may_be_window(spu.base + kProblemStateOffset));
+}
+
 TEST(Window, sndsig_writes_the_signal_register_of_another_spe) {
   WindowSpu one(1);
   WindowSpu two(2);
