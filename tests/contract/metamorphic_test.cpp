@@ -106,7 +106,7 @@ class MetamorphicContract : public PerEngineAndKind {
   void expect_no_difference(const std::function<void(Telling&, Random&)>& change) {
     const auto& [engine, kind] = GetParam();
     const auto room = static_cast<std::size_t>(make(engine)->capacity().bodies);
-    for (std::uint64_t seed = 0; seed < effort(4, 1); ++seed) {
+    for (std::uint64_t seed = 0; seed < effort(4, 2, 1); ++seed) {
       const std::size_t bodies = std::min<std::size_t>(20 + 13 * seed, room);
       const Film film = make_film(kind, bodies, seed);
       Telling telling = plain_telling(bodies);
