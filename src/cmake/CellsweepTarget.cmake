@@ -14,12 +14,14 @@ endfunction()
 # cellsweep_quick_to_compile(TARGET): for targets whose own code is not what anybody waits for, above all tests and
 # the command line: little optimisation, in builds that have any.
 function(cellsweep_quick_to_compile target)
-  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:${CELLSWEEP_QUICK_OPTIMISATION}>)
+  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
 endfunction()
 
-# What clang's optimiser takes longest over is the checks that the sanitizers put in.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CELLSWEEP_SANITIZE)
-  set(CELLSWEEP_QUICK_OPTIMISATION -O0)
-else()
-  set(CELLSWEEP_QUICK_OPTIMISATION -O1)
-endif()
+# cellsweep_quickest_to_compile(TARGET): for targets that also run so little that a sanitized build need not optimise
+# them: the sanitizers' checks are what clang's optimiser takes longest over.
+function(cellsweep_quickest_to_compile target)
+  cellsweep_quick_to_compile(${target})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CELLSWEEP_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()
