@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "broadphase/text.h"
@@ -18,6 +19,11 @@ std::string contents(const std::string& path) {
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
+}
+
+/// The address sanitizer says once that it does not know fibers to the end, which is not the command's word.
+std::string without_sanitizer_notes(const std::string& errors) {
+  return std::regex_replace(errors, std::regex("==[0-9]+==WARNING: ASan [^\n]*\n"), "");
 }
 
 }  // namespace
@@ -41,7 +47,7 @@ CommandResult run_command(const std::string& arguments, const std::string& envir
                                 scratch.path("output"), " 2>", scratch.path("errors"), " </dev/null");
   const int status = std::system(line.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(scratch.path("output")),
-          contents(scratch.path("errors"))};
+          without_sanitizer_notes(contents(scratch.path("errors")))};
 }
 
 }  // namespace cellsweep::app
