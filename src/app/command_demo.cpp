@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <limits>
-
 #include "app/commands.h"
 #include "app/engine_flags.h"
 #include "app/output.h"
@@ -15,17 +12,16 @@
 namespace cellsweep::app {
 namespace {
 
-constexpr std::size_t kSceneUpdates = 300;
-
 // Runs every engine over a recording and over scene `paper`, compares each with the oracle, one row for each.
 class Demo {
  public:
   std::string file;
+  std::size_t updates = 300;
 
   ExitCode run() {
     if (const Status status = run_recording(); !status.ok()) return complain(status);
     const auto make_paper = [] { return make_scene_frames(SceneSettings{}); };
-    if (const Status status = run_source(make_paper, kSceneUpdates); !status.ok()) return complain(status);
+    if (const Status status = run_source(make_paper); !status.ok()) return complain(status);
     print_text(table_.text());
     print_text(
         "\nset-up: what an engine does once per body ever inserted (control fills its map of all pairs).\n"
@@ -39,18 +35,17 @@ class Demo {
     const auto recording = read_recording(file);
     if (!recording) return recording.status();
     return run_source(
-        [&]() -> Result<std::unique_ptr<FrameSource>> { return make_recording_frames(*recording); },
-        std::numeric_limits<std::size_t>::max());
+        [&]() -> Result<std::unique_ptr<FrameSource>> { return make_recording_frames(*recording); });
   }
 
-  Status run_source(const SourceMaker& make_source, std::size_t updates) {
+  Status run_source(const SourceMaker& make_source) {
     for (const EngineInfo& info : engine_table()) {
-      if (Status status = run_engine_on(info.name, make_source, updates); !status.ok()) return status;
+      if (Status status = run_engine_on(info.name, make_source); !status.ok()) return status;
     }
     return {};
   }
 
-  Status run_engine_on(std::string_view name, const SourceMaker& make_source, std::size_t updates) {
+  Status run_engine_on(std::string_view name, const SourceMaker& make_source) {
     auto engine = make_engine(name);
     if (!engine) return engine.status();
     auto source = make_source();
@@ -91,6 +86,8 @@ void add_demo(CLI::App& program, ExitCode& exit_code) {
       program.add_subcommand("demo", "Run every engine on a recording and on scene `paper`, verified");
   auto demo = std::make_shared<Demo>();
   command->add_option("FILE", demo->file, "A recording; without one, only the scene is run");
+  command->add_option("--frames", demo->updates, "Updates after frame 0; of a recording as many as it has")
+      ->capture_default_str();
   command->footer("Example:\n  cellsweep demo bench/scenes/bullet-pile-1024.aabbs");
   command->callback([demo, &exit_code] { exit_code = demo->run(); });
 }

@@ -119,7 +119,7 @@ TEST(Command, ListsTheEnginesWithWhatTheyHold) {
 }
 
 TEST(Command, DemonstratesEveryEngineVerified) {
-  const CommandResult result = run_command(std::string("demo ") + kPile);
+  const CommandResult result = run_command(std::string("demo --frames 40 ") + kPile);
   EXPECT_EQ(result.exit_code, 0) << result.output;
   for (const EngineInfo& info : engine_table()) EXPECT_THAT(result.output, HasSubstr(std::string(info.name)));
   EXPECT_THAT(result.output, HasSubstr("bullet-pile"));
