@@ -85,11 +85,9 @@ std::string resident_text(const ExperimentResults& results, std::size_t bodies, 
 }
 
 Finding judge_initial(const ExperimentResults& results) {
-  Finding finding{
-      "initial",
-      "“The Cell implementation is still far faster at sorting and detecting overlapping pairs than the "
-      "x86, as the load increases” (5.1)",
-      Verdict::unknown, ""};
+  Finding finding{"initial",
+                  "The Cell version wins the initial sort, and by more the more boxes there are (5.1)",
+                  Verdict::unknown, ""};
   const std::vector<Race> all = races(results, "cell-paper", Measure::initial);
   if (all.size() < 2) return unknown(finding, "cell-paper and control at two sizes");
   const Race& first = all.front();
@@ -104,8 +102,7 @@ Finding judge_initial(const ExperimentResults& results) {
 }
 
 Finding judge_static(const ExperimentResults& results) {
-  Finding finding{"static",
-                  "“To beat the x86 on a static scene, is very difficult” (5.2): the Cell version loses",
+  Finding finding{"static", "The Cell version loses to the x86 version when nothing moves (5.2)",
                   Verdict::unknown, ""};
   const std::vector<Race> all = races(results, "cell-paper", Measure::still);
   if (all.empty()) return unknown(finding, "cell-paper and control at one size");
@@ -129,8 +126,8 @@ Finding judge_static(const ExperimentResults& results) {
 Finding judge_spus(const ExperimentResults& results) {
   Finding finding{
       "dynamic-spus",
-      "Without the pair manager's updates, the Cell version “again out performs the x86 … as the number of "
-      "objects … increase” (5.3)",
+      "Without the pair manager's updates, the Cell version gets ahead of the x86 version as boxes are added "
+      "(5.3)",
       Verdict::unknown, ""};
   const std::vector<Race> all = races(results, "cell-paper-spus", Measure::longest);
   if (all.empty()) return unknown(finding, "the SPU part of cell-paper and control at one size");
@@ -153,11 +150,9 @@ Finding judge_spus(const ExperimentResults& results) {
 }
 
 Finding judge_flat(const ExperimentResults& results) {
-  Finding finding{
-      "dynamic-spus",
-      "The Cell version's “longest running time for 64 boxes is quite similar to its longest running time "
-      "for 512 boxes” (5.3)",
-      Verdict::unknown, ""};
+  Finding finding{"dynamic-spus",
+                  "The Cell version's longest frame takes about as long with 512 boxes as with 64 (5.3)",
+                  Verdict::unknown, ""};
   const auto small = results.at("cell-paper-spus", kFlatFrom, Measure::longest);
   const auto large = results.at("cell-paper-spus", kFlatTo, Measure::longest);
   if (!small || !large) return unknown(finding, "the SPU part of cell-paper with 64 and with 512 boxes");
@@ -180,8 +175,7 @@ Finding judge_flat(const ExperimentResults& results) {
 Finding judge_updates(const ExperimentResults& results) {
   Finding finding{
       "dynamic",
-      "Updating the pair manager “increases execution time”: fine up to 512 boxes, with 1,024 it ruins the "
-      "frame (5.3)",
+      "Updating the pair manager costs time: bearable up to 512 boxes, with 1,024 it ruins the frame (5.3)",
       Verdict::unknown, ""};
   const auto at = [&](std::string_view curve, Measure measure) {
     return results.at(curve, kRuined, measure);
