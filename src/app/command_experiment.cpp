@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::size_t kQuickFrames = 60;
 constexpr unsigned kQuickRepetitions = 2;
+constexpr std::size_t kSimulatedFrames = 50;
+constexpr std::size_t kQuickSimulatedFrames = 10;
+constexpr std::size_t kQuickSimulatedBodies = 256;
 
 struct ExperimentCommand {
   report::ExperimentSettings settings;
@@ -24,6 +27,8 @@ struct ExperimentCommand {
   ExitCode run() {
     if (quick && !frames_given) settings.frames = kQuickFrames;
     if (quick && !repetitions_given) settings.repetitions = kQuickRepetitions;
+    settings.simulated_frames = quick ? kQuickSimulatedFrames : kSimulatedFrames;
+    if (quick) settings.simulated_most_bodies = kQuickSimulatedBodies;
     if (const Status status = report::find_gnuplot(); !status.ok()) return complain(status);
     if (const Status status = report::make_folder(out); !status.ok()) return complain(status);
     const auto results = report::run_experiment(settings);
@@ -59,8 +64,9 @@ void add_experiment(CLI::App& program, ExitCode& exit_code) {
   auto experiment = std::make_shared<ExperimentCommand>();
   auto& settings = experiment->settings;
   command->add_option("--out", experiment->out, "Folder for report.html, CSV, SVG and PNG files")->required();
-  command->add_flag("--quick", experiment->quick,
-                    "60 frames, 2 repetitions: within 20 seconds, and less exact");
+  command->add_flag(
+      "--quick", experiment->quick,
+      "60 frames, 2 repetitions, the simulated Cell with up to 256 boxes: within 20 seconds, and less exact");
   command->add_option("--bodies", settings.bodies, "Numbers of boxes, separated by commas")
       ->delimiter(',')
       ->type_name("N[,N...]")

@@ -17,11 +17,16 @@ function(cellsweep_quick_to_compile target)
   target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
 endfunction()
 
-# cellsweep_quickest_to_compile(TARGET): for targets that also run so little that a sanitized build need not optimise
-# them: the sanitizers' checks are what clang's optimiser takes longest over.
-function(cellsweep_quickest_to_compile target)
-  cellsweep_quick_to_compile(${target})
+# cellsweep_plain_when_sanitized(TARGET): for targets that run so little that a sanitized build need not optimise them:
+# the sanitizers' checks are what clang's optimiser takes longest over.
+function(cellsweep_plain_when_sanitized target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CELLSWEEP_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
   endif()
+endfunction()
+
+# cellsweep_quickest_to_compile(TARGET): both.
+function(cellsweep_quickest_to_compile target)
+  cellsweep_quick_to_compile(${target})
+  cellsweep_plain_when_sanitized(${target})
 endfunction()

@@ -2,11 +2,14 @@
 /// Calls that every engine must refuse, with the right words, and as if they had never been made.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,13 +60,16 @@ void go_on(CheckedEngine& checked) {
   ASSERT_TRUE(checked.update());
 }
 
-/// The engine with the refused call and one that never saw it must answer alike, in the same order.
-void expect_refusal(const ContractEngine& engine, const Refusal& refusal) {
-  SCOPED_TRACE(engine.label + ": " + refusal.name);
-  CheckedEngine tried(engine, refusal.name);
-  CheckedEngine spared(engine, "without " + refusal.name);
-  set_up(tried);
+/// The last answer of an engine that never saw a refused call.
+Answer spared_answer(const ContractEngine& engine) {
+  CheckedEngine spared(engine, "without a refused call");
   set_up(spared);
+  go_on(spared);
+  return spared.answer();
+}
+
+void refuse(CheckedEngine& tried, const Refusal& refusal) {
+  SCOPED_TRACE(refusal.name);
   Status status;
   ASSERT_TRUE(tried.refuse(refusal.call, status));
   EXPECT_EQ(status.code, refusal.code) << status.message;
@@ -72,10 +78,24 @@ void expect_refusal(const ContractEngine& engine, const Refusal& refusal) {
   if (refusal.body) {
     EXPECT_THAT(status.message, testing::HasSubstr(std::to_string(*refusal.body)));
   }
+}
 
+/// An engine with the refused calls, one after the other, must go on like one that never saw them, in the
+/// same order.
+void expect_refusals_in_a_row(const ContractEngine& engine, std::span<const Refusal> refusals,
+                              const Answer& spared) {
+  SCOPED_TRACE(engine.label + " from " + refusals.front().name);
+  CheckedEngine tried(engine, refusals.front().name);
+  set_up(tried);
+  for (const Refusal& refusal : refusals) refuse(tried, refusal);
   go_on(tried);
-  go_on(spared);
-  EXPECT_EQ(tried.answer(), spared.answer());
+  EXPECT_EQ(tried.answer(), spared);
+}
+
+/// Each refusal on an engine of its own.
+void expect_refusals(const ContractEngine& engine, const std::vector<Refusal>& refusals) {
+  const Answer spared = spared_answer(engine);
+  for (const Refusal& refusal : refusals) expect_refusals_in_a_row(engine, {&refusal, 1}, spared);
 }
 
 using RefusalsContract = PerEngine;
@@ -112,31 +132,36 @@ Aabb faulty_box(const Fault& fault, std::size_t axis) {
   return box;
 }
 
+/// Every call that can carry the box.
+std::vector<Refusal> calls_with(const Aabb& bad, const std::string& what) {
+  constexpr auto code = StatusCode::invalid_box;
+  const std::vector<Aabb> bad_first = {bad, cube(1), cube(2)};
+  const std::vector<Aabb> bad_last = {cube(1), cube(2), bad};
+  const std::vector<BodyId> fresh = {500, 501, 502};
+  const std::vector<BodyId> held = {10, 20, 70};
+  return {
+      {"insert of " + what, [=](Broadphase& e) { return e.insert(500, bad); }, code, 500},
+      {"move to " + what, [=](Broadphase& e) { return e.move(10, bad); }, code, 10},
+      {"bulk insert that starts with " + what, [=](Broadphase& e) { return e.insert(fresh, bad_first); },
+       code, 500},
+      {"bulk insert that ends with " + what, [=](Broadphase& e) { return e.insert(fresh, bad_last); }, code,
+       502},
+      {"bulk move that starts with " + what, [=](Broadphase& e) { return e.move(held, bad_first); }, code,
+       10},
+      {"bulk move that ends with " + what, [=](Broadphase& e) { return e.move(held, bad_last); }, code, 70},
+  };
+}
+
 TEST_P(RefusalsContract, ABadBoxIsRefusedAloneAndAtEitherEndOfABulkCall) {
+  const Answer spared = spared_answer(GetParam());
   for (const Fault& fault : faults()) {
+    std::vector<Refusal> refusals;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Aabb bad = faulty_box(fault, axis);
-      const std::string what = fault.name + " on axis " + std::to_string(axis);
-      const std::vector<Aabb> bad_first = {bad, cube(1), cube(2)};
-      const std::vector<Aabb> bad_last = {cube(1), cube(2), bad};
-      const std::vector<BodyId> fresh = {500, 501, 502};
-      const std::vector<BodyId> held = {10, 20, 70};
-      const std::vector<Refusal> refusals = {
-          {"insert of " + what, [&](Broadphase& e) { return e.insert(500, bad); }, StatusCode::invalid_box,
-           500},
-          {"move to " + what, [&](Broadphase& e) { return e.move(10, bad); }, StatusCode::invalid_box, 10},
-          {"bulk insert that starts with " + what, [&](Broadphase& e) { return e.insert(fresh, bad_first); },
-           StatusCode::invalid_box, 500},
-          {"bulk insert that ends with " + what, [&](Broadphase& e) { return e.insert(fresh, bad_last); },
-           StatusCode::invalid_box, 502},
-          {"bulk move that starts with " + what, [&](Broadphase& e) { return e.move(held, bad_first); },
-           StatusCode::invalid_box, 10},
-          {"bulk move that ends with " + what, [&](Broadphase& e) { return e.move(held, bad_last); },
-           StatusCode::invalid_box, 70},
-      };
-      for (const Refusal& refusal : refusals) expect_refusal(GetParam(), refusal);
-      if (HasFailure()) return;
+      std::ranges::move(calls_with(faulty_box(fault, axis), fault.name + " on axis " + std::to_string(axis)),
+                        std::back_inserter(refusals));
     }
+    expect_refusals_in_a_row(GetParam(), refusals, spared);
+    if (HasFailure()) return;
   }
 }
 
@@ -167,7 +192,7 @@ TEST_P(RefusalsContract, ABodyThatIsNotThereCannotBeMovedOrRemoved) {
       {"bulk remove that ends with a body never seen", bulk_remove({10, 70, 500}), code, 500},
       {"bulk remove that starts with a body never seen", bulk_remove({500, 10, 70}), code, 500},
   };
-  for (const Refusal& refusal : refusals) expect_refusal(GetParam(), refusal);
+  expect_refusals(GetParam(), refusals);
 }
 
 TEST_P(RefusalsContract, ABodyThatIsThereCannotBeInsertedAgain) {
@@ -180,7 +205,7 @@ TEST_P(RefusalsContract, ABodyThatIsThereCannotBeInsertedAgain) {
       {"bulk insert that ends with a body held", bulk_insert({500, 501, 10}), code, 10},
       {"bulk insert that starts with a body held", bulk_insert({10, 500, 501}), code, 10},
   };
-  for (const Refusal& refusal : refusals) expect_refusal(GetParam(), refusal);
+  expect_refusals(GetParam(), refusals);
 }
 
 TEST_P(RefusalsContract, ABodyCannotBeListedTwiceInOneCall) {
@@ -193,7 +218,7 @@ TEST_P(RefusalsContract, ABodyCannotBeListedTwiceInOneCall) {
       {"remove of one body twice", bulk_remove({10, 10}), code, 10},
       {"remove of one body twice, apart", bulk_remove({70, 10, 20, 70}), code, 70},
   };
-  for (const Refusal& refusal : refusals) expect_refusal(GetParam(), refusal);
+  expect_refusals(GetParam(), refusals);
 }
 
 /// A bulk call with ids and boxes that differ in number.
@@ -219,7 +244,7 @@ TEST_P(RefusalsContract, EveryIdNeedsABoxAndEveryBoxAnId) {
       uneven("move", move, {10}, 0),
       uneven("move", move, {}, 1),
   };
-  for (const Refusal& refusal : refusals) expect_refusal(GetParam(), refusal);
+  expect_refusals(GetParam(), refusals);
 }
 
 TEST_P(RefusalsContract, TheWordsForSpansOfDifferentLengthNameBothLengths) {

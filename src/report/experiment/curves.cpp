@@ -10,8 +10,12 @@ constexpr std::array kCurves = {
     Curve{"cell-paper-longest-spu", "cell-paper, its longest SPU", "cell-paper", Part::longest_spu,
           "#c8b400"},
     Curve{"cell-paper", "cell-paper with updates", "cell-paper", Part::frame, "#d55e00"},
+    Curve{"cell-paper-simulated", "cell-paper, simulated Cell", "cell-paper", Part::simulated_cell,
+          "#8c564b"},
     Curve{"cell-brute", "cell-brute", "cell-brute", Part::frame, "#cc79a7"},
     Curve{"cell-resident", "cell-resident", "cell-resident", Part::frame, "#009e73"},
+    Curve{"cell-resident-simulated", "cell-resident, simulated Cell", "cell-resident", Part::simulated_cell,
+          "#00614a"},
     Curve{"stream", "stream", "stream", Part::frame, "#56b4e9"},
     Curve{"embree", "embree", "embree", Part::frame, "#0072b2"},
 };

@@ -11,10 +11,14 @@ namespace cellsweep::report {
 
 /// What of an engine's frame a curve shows.
 enum class Part {
-  frame,       ///< handing boxes over and update()
-  spus,        ///< from the start of the SPU threads until all are done
-  longest_spu  ///< processor time of the SPU that worked longest: what it takes where each has a core
+  frame,          ///< handing boxes over and update()
+  spus,           ///< from the start of the SPU threads until all are done
+  longest_spu,    ///< processor time of the SPU that worked longest: what it takes where each has a core
+  simulated_cell  ///< on a Cell's clock, by the cycle model: the SPE that takes longest, threads running
+                  ///< already
 };
+
+inline constexpr std::size_t kParts = 4;
 
 /// A line of the figures.
 struct Curve {

@@ -8,6 +8,7 @@
 #include "cellsweep/engines.h"
 #include "report/build_context.h"
 #include "report/experiment/experiment_run.h"
+#include "report/experiment/figures.h"
 #include "report/progress.h"
 #include "report/quantile.h"
 
@@ -61,37 +62,71 @@ class Experiment {
  private:
   struct Place {
     std::string engine;
+    bool simulated;
     std::size_t bodies;
     std::vector<ExperimentRun> runs;
   };
 
+  static bool has_curve(std::string_view engine, bool simulated) {
+    const auto curves = curve_table();
+    return std::any_of(curves.begin(), curves.end(), [&](const Curve& curve) {
+      return curve.engine == engine && is_simulated(curve) == simulated;
+    });
+  }
+
+  static bool is_simulated(const Curve& curve) { return curve.part == Part::simulated_cell; }
+
   void find_engines() {
     for (const EngineInfo& info : engine_table()) {
       const std::string name(info.name);
-      const auto curves = curve_table();
-      if (std::none_of(curves.begin(), curves.end(),
-                       [&](const Curve& curve) { return curve.engine == name; })) {
-        continue;
-      }
-      const auto engine = make_engine(name);
-      if (!engine) {
-        results_.left_out.push_back(text("Engine ", name, " is left out: ", engine.status().message));
-        continue;
-      }
-      const Capacity capacity = (*engine)->capacity();
-      for (const std::size_t bodies : results_.settings.bodies) {
-        if (bodies <= capacity.bodies) {
-          places_.push_back({name, bodies, {}});
-        } else {
-          results_.left_out.push_back(text("Engine ", name, " holds ", capacity.bodies, " boxes, not ",
-                                           bodies, ": ", capacity.reason, "."));
-        }
+      if (has_curve(name, false)) find_places(name);
+      if (has_curve(name, true) && results_.settings.simulated_frames > 0) find_simulated_places(name);
+    }
+  }
+
+  void find_places(const std::string& name) {
+    const auto engine = make_engine(name);
+    if (!engine) {
+      leave_out(text("Engine ", name, " is left out: ", engine.status().message));
+      return;
+    }
+    const Capacity capacity = (*engine)->capacity();
+    for (const std::size_t bodies : results_.settings.bodies) {
+      if (bodies <= capacity.bodies) {
+        places_.push_back({name, false, bodies, {}});
+      } else {
+        leave_out(text("Engine ", name, " holds ", capacity.bodies, " boxes, not ", bodies, ": ",
+                       capacity.reason, "."));
       }
     }
   }
 
+  void find_simulated_places(const std::string& name) {
+    const auto engine = make_engine(name, simulated_cell());
+    if (!engine) {
+      leave_out(text("The simulated Cell is left out for ", name, ": ", engine.status().message));
+      return;
+    }
+    const std::size_t most = results_.settings.simulated_most_bodies;
+    for (const std::size_t bodies : results_.settings.bodies) {
+      if (bodies <= std::min<std::uint64_t>(most, (*engine)->capacity().bodies)) {
+        places_.push_back({name, true, bodies, {}});
+      } else {
+        leave_out(text("Engine ", name, " on the simulated Cell is left out with ", count_text(bodies),
+                       " boxes: more than ", count_text(most), " take too long for this run."));
+      }
+    }
+  }
+
+  void leave_out(std::string sentence) { results_.left_out.push_back(std::move(sentence)); }
+
   std::size_t frames_in_all() const {
-    return 2 * results_.settings.frames * results_.settings.repetitions * places_.size();
+    std::size_t frames = 0;
+    for (const Place& place : places_) {
+      frames += 2 * frames_of_kind(place.simulated, results_.settings) *
+                (place.simulated ? 1 : results_.settings.repetitions);
+    }
+    return frames;
   }
 
   // All engines at a size before the next size; who is first changes.
@@ -99,7 +134,7 @@ class Experiment {
     for (const std::size_t bodies : results_.settings.bodies) {
       std::vector<Place*> turn;
       for (Place& place : places_) {
-        if (place.bodies == bodies) turn.push_back(&place);
+        if (place.bodies == bodies && !(place.simulated && repetition > 0)) turn.push_back(&place);
       }
       if (turn.empty()) continue;
       std::rotate(turn.begin(), turn.begin() + static_cast<std::ptrdiff_t>(repetition % turn.size()),
@@ -112,15 +147,18 @@ class Experiment {
   }
 
   Status run_once(Place& place) {
-    auto run = run_through_experiment(place.engine, place.bodies, results_.settings, frame_done_);
+    auto run =
+        run_through_experiment(place.engine, place.simulated, place.bodies, results_.settings, frame_done_);
     if (!run) return run.status();
     if (!run->exact) {
       results_.wrong.push_back(text("Engine ", place.engine, " with ", place.bodies,
                                     " boxes ended with other pairs than the oracle's."));
     }
-    results_.initial_steps[{place.engine, place.bodies}] = run->initial_steps;
-    results_.moving_steps[{place.engine, place.bodies}] = run->moving_steps;
-    results_.pairs[place.bodies] = run->pairs;
+    if (!place.simulated) {
+      results_.initial_steps[{place.engine, place.bodies}] = run->initial_steps;
+      results_.moving_steps[{place.engine, place.bodies}] = run->moving_steps;
+      results_.pairs[place.bodies] = run->pairs;
+    }
     place.runs.push_back(std::move(*run));
     return {};
   }
@@ -129,7 +167,8 @@ class Experiment {
     for (const Curve& curve : curve_table()) {
       CurveResult result{curve, {}};
       for (const Place& place : places_) {
-        if (place.engine == curve.engine) result.points[place.bodies] = spreads_of(place.runs, curve.part);
+        if (place.engine == curve.engine && place.simulated == is_simulated(curve))
+          result.points[place.bodies] = spreads_of(place.runs, curve.part);
       }
       if (!result.points.empty()) results_.curves.push_back(std::move(result));
     }

@@ -21,6 +21,10 @@ struct ExperimentSettings {
   unsigned repetitions = 3;   ///< 1 or more
   std::uint64_t seed = 1;
   double moving = 0.1;  ///< share of the boxes that move
+  /// On the simulated Cell, once, as its times are the same in every repetition: frames of each kind, at most
+  /// `frames`; none without. A frame of 1,024 boxes takes a third of a second.
+  std::size_t simulated_frames = 0;
+  std::size_t simulated_most_bodies = 1024;  ///< larger sizes are left out there
 };
 
 /// Microseconds, over the repetitions.

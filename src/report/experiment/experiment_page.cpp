@@ -153,7 +153,8 @@ std::string context_html(const ExperimentResults& results) {
               "medians of the repetitions, bars their range. What control and cell-paper do once per body "
               "ever inserted, filling the map of all pairs, is left out, as in the document. Every run's "
               "last "
-              "pairs were compared with all-against-all.") +
+              "pairs were compared with all-against-all. Of the simulated Cell there is what its slowest SPE "
+              "takes, without starting threads and without the PPU.") +
           html_list(entries));
 }
 

@@ -44,6 +44,7 @@ class FrameTimes {
     add_part(Part::frame, frame);
     add_part(Part::spus, spus);
     add_part(Part::longest_spu, longest_spu(engine));
+    add_part(Part::simulated_cell, longest_spe(engine));
     return {};
   }
 
@@ -71,6 +72,14 @@ class FrameTimes {
     return 0;
   }
 
+  static double longest_spe(const Broadphase& engine) {
+    double longest = 0;
+    if (const auto& cell = engine.statistics().cell) {
+      for (const SpeTime& spe : cell->spes) longest = std::max(longest, spe.total());
+    }
+    return longest;
+  }
+
   void add_part(Part part, double microseconds) {
     parts_[static_cast<std::size_t>(part)].push_back(microseconds);
   }
@@ -94,8 +103,11 @@ bool has_pairs_of_oracle(const Broadphase& engine, const FrameSource& source) {
 
 class Passage {
  public:
-  Passage(const ExperimentSettings& settings, const std::function<void()>& frame_done)
-      : settings_(settings), frame_done_(frame_done) {}
+  Passage(bool simulated, const ExperimentSettings& settings, const std::function<void()>& frame_done)
+      : simulated_(simulated),
+        frames_(frames_of_kind(simulated, settings)),
+        settings_(settings),
+        frame_done_(frame_done) {}
 
   Result<ExperimentRun> run(const std::string& name, std::size_t bodies) {
     auto source = make_scene_frames({.bodies = bodies, .seed = settings_.seed, .moving = settings_.moving});
@@ -118,9 +130,10 @@ class Passage {
 
  private:
   Status enter(const std::string& name, const FrameSource& source) {
-    for (std::size_t i = 0; i < kMostFirstFrames && initial_.total() < kEnoughOfFirstFrames; ++i) {
+    const std::size_t first_frames = simulated_ ? 1 : kMostFirstFrames;
+    for (std::size_t i = 0; i < first_frames && initial_.total() < kEnoughOfFirstFrames; ++i) {
       engine_.reset();
-      auto made = make_engine(name);
+      auto made = make_engine(name, simulated_ ? simulated_cell() : EngineOptions{});
       if (!made) return made.status();
       engine_ = std::move(*made);
       const auto hand_over = [&] { return insert_all(*engine_, source); };
@@ -131,11 +144,11 @@ class Passage {
 
   Status run_frames(FrameSource& source) {
     const auto nothing = [] { return Status{}; };
-    for (std::size_t i = 0; i < settings_.frames; ++i) {
+    for (std::size_t i = 0; i < frames_; ++i) {
       if (Status status = still_.add(*engine_, nothing); !status.ok()) return status;
       frame_done_();
     }
-    for (std::size_t i = 0; i < settings_.frames; ++i) {
+    for (std::size_t i = 0; i < frames_; ++i) {
       source.advance();
       const auto hand_over = [&] { return move_changed(*engine_, source); };
       if (Status status = moving_.add(*engine_, hand_over); !status.ok()) return status;
@@ -144,6 +157,8 @@ class Passage {
     return {};
   }
 
+  bool simulated_;
+  std::size_t frames_;
   const ExperimentSettings& settings_;
   const std::function<void()>& frame_done_;
   std::unique_ptr<Broadphase> engine_;
@@ -154,10 +169,18 @@ class Passage {
 
 }  // namespace
 
-Result<ExperimentRun> run_through_experiment(const std::string& engine, std::size_t bodies,
+EngineOptions simulated_cell() {
+  return {.spe_engine = SpeEngine::isa, .cycles = true};
+}
+
+std::size_t frames_of_kind(bool simulated, const ExperimentSettings& settings) {
+  return simulated ? std::min(settings.frames, settings.simulated_frames) : settings.frames;
+}
+
+Result<ExperimentRun> run_through_experiment(const std::string& engine, bool simulated, std::size_t bodies,
                                              const ExperimentSettings& settings,
                                              const std::function<void()>& frame_done) {
-  return Passage(settings, frame_done).run(engine, bodies);
+  return Passage(simulated, settings, frame_done).run(engine, bodies);
 }
 
 }  // namespace cellsweep::report

@@ -7,12 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "cellsweep/engines.h"
 #include "cellsweep/status.h"
 #include "report/experiment/experiment.h"
 
 namespace cellsweep::report {
 
-inline constexpr std::size_t kParts = 3;
+/// The options of an engine on a simulated Cell.
+EngineOptions simulated_cell();
+
+/// The frames of each kind in a run.
+std::size_t frames_of_kind(bool simulated, const ExperimentSettings& settings);
 
 /// Times in microseconds; of parts that the engine does not tell they are 0.
 struct ExperimentRun {
@@ -23,9 +28,9 @@ struct ExperimentRun {
   bool exact = false;  ///< ended with the oracle's pairs
 };
 
-/// All boxes into new engines a few times, then frames with nothing moving, then frames with some moving.
-/// `frame_done` is called after each frame. Errors: those of the engine.
-Result<ExperimentRun> run_through_experiment(const std::string& engine, std::size_t bodies,
+/// All boxes into new engines a few times, once on a simulated Cell; then frames with nothing moving, then
+/// frames with some moving. `frame_done` is called after each frame. Errors: those of the engine.
+Result<ExperimentRun> run_through_experiment(const std::string& engine, bool simulated, std::size_t bodies,
                                              const ExperimentSettings& settings,
                                              const std::function<void()>& frame_done);
 

@@ -1,5 +1,7 @@
 #include "report/experiment/figure_csv.h"
 
+#include <algorithm>
+
 #include "broadphase/text.h"
 
 namespace cellsweep::report {
@@ -11,6 +13,8 @@ std::string_view part_name(Part part) {
       return "spus";
     case Part::longest_spu:
       return "longest spu";
+    case Part::simulated_cell:
+      return "simulated cell";
     default:
       return "frame";
   }
@@ -38,6 +42,13 @@ std::vector<std::pair<std::string, std::string>> settings_of(const ExperimentSet
       {"boxes", sizes},
       {"moving", text(100 * settings.moving, " %")},
       {"frames", text(count_text(settings.frames), " with nothing moving, then as many with some moving")},
+      {"simulated Cell",
+       settings.simulated_frames == 0
+           ? "none"
+           : text("the SPE that takes longest, at 3.2 GHz by the cycle model, SPE threads already "
+                  "running; ",
+                  count_text(std::min(settings.frames, settings.simulated_frames)),
+                  " frames of each kind, once")},
       {"repetitions", text(settings.repetitions, ", all engines in turns")},
       {"seed", text(settings.seed)}};
 }
@@ -54,7 +65,8 @@ std::string figure_csv(const Figure& figure, const ExperimentResults& results) {
       const Spread& time = times[figure.measure];
       csv += text(figure.id, ",", result->curve.id, ",", result->curve.engine, ",",
                   part_name(result->curve.part), ",", bodies, ",", time.median, ",", time.lowest, ",",
-                  time.highest, ",", results.settings.repetitions, "\n");
+                  time.highest, ",",
+                  result->curve.part == Part::simulated_cell ? 1 : results.settings.repetitions, "\n");
     }
   }
   return csv;

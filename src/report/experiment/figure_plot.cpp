@@ -20,6 +20,8 @@ std::string dash_of(Part part) {
       return "dt '-'";
     case Part::longest_spu:
       return "dt '.'";
+    case Part::simulated_cell:
+      return "dt '_.'";
     default:
       return "dt solid";
   }

@@ -18,7 +18,8 @@ constexpr std::array kFigures = {
            "median frame time", Measure::still, "", false},
     Figure{"dynamic-spus", "10 % move: the SPUs alone against the x86 version", "Figure 5.4",
            "The longest frame while one box in ten moves; of the Cell version only what its SPUs do.",
-           "longest frame time", Measure::longest, "control cell-paper-spus cell-paper-longest-spu", false},
+           "longest frame time", Measure::longest,
+           "control cell-paper-spus cell-paper-longest-spu cell-paper-simulated", false},
     Figure{"dynamic", "10 % move: longest frame with all that belongs to it", "Figure 5.5",
            "The longest frame while one box in ten moves, the updates of the pair manager included.",
            "longest frame time", Measure::longest, "", true},
@@ -31,7 +32,8 @@ bool shows(const Figure& figure, const Curve& curve) {
   if (!figure.curves.empty()) {
     return text(" ", figure.curves, " ").find(text(" ", curve.id, " ")) != std::string::npos;
   }
-  return curve.part == Part::frame || (figure.with_spu_part && curve.part == Part::spus);
+  return curve.part == Part::frame || curve.part == Part::simulated_cell ||
+         (figure.with_spu_part && curve.part == Part::spus);
 }
 
 std::string three_digits(double value) {

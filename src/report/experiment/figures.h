@@ -19,7 +19,8 @@ struct Figure {
   std::string_view caption;   ///< a sentence: what is shown
   std::string_view y_label;
   Measure measure = Measure::initial;
-  std::string_view curves;     ///< the ids that it shows, a blank between two; empty: all whole frames
+  std::string_view
+      curves;  ///< the ids that it shows, a blank between two; empty: whole frames and the simulated Cell
   bool with_spu_part = false;  ///< whole frames, and the part of the SPUs
 };
 

@@ -39,12 +39,13 @@ TEST(Figures, AreThoseOfTheDocumentAndOneMore) {
 TEST(Figures, ShowWholeFramesOrThePartThatTheyAreAbout) {
   const ExperimentResults results = made_up_results();
   EXPECT_THAT(ids_of(figure("initial"), results),
-              ElementsAre("control", "cell-paper", "cell-brute", "cell-resident", "stream", "embree"));
+              ElementsAre("control", "cell-paper", "cell-paper-simulated", "cell-brute", "cell-resident",
+                          "cell-resident-simulated", "stream", "embree"));
   EXPECT_THAT(ids_of(figure("dynamic-spus"), results),
-              ElementsAre("control", "cell-paper-spus", "cell-paper-longest-spu"));
+              ElementsAre("control", "cell-paper-spus", "cell-paper-longest-spu", "cell-paper-simulated"));
   EXPECT_THAT(ids_of(figure("dynamic"), results),
-              ElementsAre("control", "cell-paper-spus", "cell-paper", "cell-brute", "cell-resident", "stream",
-                          "embree"));
+              ElementsAre("control", "cell-paper-spus", "cell-paper", "cell-paper-simulated", "cell-brute",
+                          "cell-resident", "cell-resident-simulated", "stream", "embree"));
 }
 
 TEST(FigureCsv, HasItsContextInFrontAndARowForEveryPoint) {
@@ -60,7 +61,7 @@ TEST(FigureCsv, HasItsContextInFrontAndARowForEveryPoint) {
   EXPECT_THAT(csv, HasSubstr("\nfigure,curve,engine,part,bodies,median_us,lowest_us,highest_us,repetitions\n"
                              "initial,control,control,frame,64,123.5,90,110,3\n"));
   const std::string rows = csv.substr(csv.find("figure,curve"));
-  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + 6 * 3);
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + 8 * 3);
 }
 
 TEST(FigureScript, NamesItsAxesAndCurvesAndHoldsTheNumbersInSeconds) {

@@ -2,6 +2,7 @@
 
 #include <random>
 #include <string>
+#include <vector>
 
 namespace reference {
 
@@ -108,8 +109,8 @@ Value random_value(bool scalar, std::mt19937_64& random) {
   return {true, (b & 1) != 0 ? random() : (b >> 8) % 300, {}};
 }
 
-bool agrees(const char* name, const std::vector<Value>& arguments, const Function& intrinsic,
-            const Function& ref, const Agreement& agree) {
+bool agrees(const char* name, const std::vector<Value>& arguments, Function intrinsic, Function ref,
+            Agreement agree) {
   const Value result = intrinsic(arguments.data());
   const Value expected = ref(arguments.data());
   if (agree(result, expected, arguments.data())) return true;
@@ -129,8 +130,9 @@ bool same_bits(const Value& result, const Value& expected, const Value*) {
   return result == expected;
 }
 
-void run_check(const char* name, const std::vector<bool>& scalar_arguments, const Function& intrinsic,
-               const Function& ref, const Agreement& agree) {
+void run_check(const char* name, std::initializer_list<bool> scalar_list, Function intrinsic, Function ref,
+               Agreement agree) {
+  const std::vector<bool> scalar_arguments(scalar_list);
   std::vector<Value> arguments(scalar_arguments.size());
   const auto size = [](bool scalar) { return scalar ? edge_scalars().size() : edge_registers().size(); };
   std::size_t combinations = 1;

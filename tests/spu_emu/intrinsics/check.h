@@ -5,9 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <functional>
+#include <initializer_list>
 #include <utility>
-#include <vector>
 
 #include "register_image.h"
 
@@ -22,12 +21,20 @@ struct Value {
 
 bool operator==(const Value& a, const Value& b);
 
-using Function = std::function<Value(const Value* arguments)>;
-using Agreement = std::function<bool(const Value& result, const Value& expected, const Value* arguments)>;
+// A function of arguments, called by reference: a std::function for each of a thousand checks takes minutes
+// to compile.
+struct Function {
+  const void* callable;
+  Value (*call)(const void* callable, const Value* arguments);
+
+  Value operator()(const Value* arguments) const { return call(callable, arguments); }
+};
+
+using Agreement = bool (*)(const Value& result, const Value& expected, const Value* arguments);
 
 // Draws arguments of the kinds named (true: a scalar) and reports the first on which the functions disagree.
-void run_check(const char* name, const std::vector<bool>& scalar_arguments, const Function& intrinsic,
-               const Function& ref, const Agreement& agree);
+void run_check(const char* name, std::initializer_list<bool> scalar_arguments, Function intrinsic,
+               Function ref, Agreement agree);
 
 template <typename T>
 constexpr bool is_scalar_type = std::is_arithmetic_v<T>;
@@ -66,21 +73,29 @@ auto for_reference(const Value& v) {
     return v.image;
 }
 
+// A reference may compute in a wider integer than the intrinsic returns.
+template <typename Result, typename T>
+Value as_result(const T& expected) {
+  if constexpr (is_scalar_type<Result>)
+    return to_value(static_cast<Result>(expected));
+  else
+    return to_value(expected);
+}
+
 template <typename... Args, std::size_t... I, typename Intrinsic, typename Ref>
-void check_with(std::index_sequence<I...>, const char* name, Intrinsic intrinsic, Ref ref,
-                const Agreement& agree) {
+void check_with(std::index_sequence<I...>, const char* name, const Intrinsic& intrinsic, const Ref& ref,
+                Agreement agree) {
   using Result = decltype(intrinsic(from_value<Args>(Value{})...));
-  // A reference may compute in a wider integer than the intrinsic returns.
-  const auto as_result = [](const auto& expected) {
-    if constexpr (is_scalar_type<Result>)
-      return to_value(static_cast<Result>(expected));
-    else
-      return to_value(expected);
-  };
-  run_check(
-      name, {is_scalar_type<Args>...},
-      [=](const Value* a) { return to_value(intrinsic(from_value<Args>(a[I])...)); },
-      [=](const Value* a) { return as_result(ref(for_reference<Args>(a[I])...)); }, agree);
+  run_check(name, {is_scalar_type<Args>...},
+            {&intrinsic,
+             [](const void* callable, const Value* a) {
+               return to_value((*static_cast<const Intrinsic*>(callable))(from_value<Args>(a[I])...));
+             }},
+            {&ref,
+             [](const void* callable, const Value* a) {
+               return as_result<Result>((*static_cast<const Ref*>(callable))(for_reference<Args>(a[I])...));
+             }},
+            agree);
 }
 
 bool same_bits(const Value& result, const Value& expected, const Value* arguments);
@@ -88,7 +103,7 @@ bool same_bits(const Value& result, const Value& expected, const Value* argument
 // check<argument types...>(name, intrinsic, reference): the reference takes images and scalars and returns
 // one.
 template <typename... Args, typename Intrinsic, typename Ref>
-void check(const char* name, Intrinsic intrinsic, Ref ref, const Agreement& agree = same_bits) {
+void check(const char* name, Intrinsic intrinsic, Ref ref, Agreement agree = same_bits) {
   check_with<Args...>(std::index_sequence_for<Args...>{}, name, intrinsic, ref, agree);
 }
 

@@ -1,13 +1,9 @@
 # What is around the machine: ELF files, library calls, programs under libspe2 and alone.
-add_executable(spu_emu_isa_program_tests
+spu_emu_test(spu_emu_isa_program_tests spu_emu.isa.
   assembler.cpp elf_loader_test.cpp library_calls_test.cpp print_format_test.cpp program_test.cpp
   timing/cycle_parameters_test.cpp timing/cycle_profile_test.cpp)
-target_link_libraries(spu_emu_isa_program_tests PRIVATE spu_emu::spu_emu GTest::gtest_main)
 if(TARGET spu_emu_arguments)
   target_sources(spu_emu_isa_program_tests PRIVATE spu_arguments_test.cpp timing/cycle_table_test.cpp)
   target_link_libraries(spu_emu_isa_program_tests PRIVATE spu_emu_arguments)
 endif()
-target_include_directories(spu_emu_isa_program_tests PRIVATE ${spu_emu_SOURCE_DIR})
-target_compile_options(spu_emu_isa_program_tests PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Werror)
-spu_emu_discover_tests(spu_emu_isa_program_tests spu_emu.isa.)
 add_subdirectory(programs)

@@ -1,0 +1,1 @@
+// What the headers that all tests of spu_emu share are compiled with.
