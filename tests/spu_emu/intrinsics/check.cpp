@@ -91,7 +91,11 @@ Register random_register(std::mt19937_64& random) {
   }
 }
 
+#ifdef SPU_EMU_RANDOM_INPUTS
+constexpr int random_inputs = SPU_EMU_RANDOM_INPUTS;
+#else
 constexpr int random_inputs = 10000;
+#endif
 
 std::string text(const Value& v) {
   return v.is_scalar ? std::to_string(static_cast<std::int64_t>(v.scalar)) : reference::text(v.image);

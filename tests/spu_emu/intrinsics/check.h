@@ -1,5 +1,5 @@
 // Runs an intrinsic against its scalar reference: combinations of edge values, then 10,000 seeded random
-// inputs.
+// inputs, or fewer in a build with sanitizers.
 #pragma once
 
 #include <gtest/gtest.h>
