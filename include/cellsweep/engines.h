@@ -90,8 +90,9 @@ struct EngineOptions {
   /// (F3). Costs local store.
   bool spu_boxes = false;
 
-  /// Cell engines: write a timeline of the SPEs (opens in Perfetto) to this file when the last engine that
-  /// names it is destroyed; empty writes none.
+  /// Write a timeline (opens in Perfetto) to this file when the last engine that names it is destroyed:
+  /// calls, phases and waits of each engine, and of Cell engines' SPEs each transfer and each wait. Empty
+  /// writes none. All of it is kept in memory until then.
   std::string trace_file{};
 };
 

@@ -24,6 +24,7 @@ struct LocalStoreMap {
   std::uint64_t bodies = 0;
   std::uint64_t limit = 0;            ///< bytes; 0: no limit
   std::vector<LocalStorePart> parts;  ///< code, data and stack, then every buffer
+  unsigned spus = 0;                  ///< SPEs that work, each with a local store laid out so
 
   std::uint64_t used() const;
   bool fits() const { return limit == 0 || used() <= limit; }

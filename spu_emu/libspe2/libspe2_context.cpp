@@ -223,3 +223,7 @@ std::string spu_emu::registers(spe_context_ptr_t spe) {
 void spu_emu::write_trace(std::ostream& out) {
   Trace::instance().write(out);
 }
+
+void spu_emu::write_trace_events(std::ostream& out, std::chrono::steady_clock::time_point origin) {
+  Trace::instance().write_events(out, origin);
+}

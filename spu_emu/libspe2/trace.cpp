@@ -40,6 +40,16 @@ void write_span(std::ostream& out, const TraceSpan& span, TraceTime start) {
                 span.name.c_str(), span.spe, microseconds(span.begin - start),
                 microseconds(span.end - span.begin), span.arguments.c_str());
 }
+
+void write_all(std::ostream& out, const std::vector<TraceSpan>& spans, TraceTime start) {
+  std::set<unsigned> rows;
+  for (const TraceSpan& span : spans) rows.insert(span.spe);
+  for (const unsigned spe : rows) write_row_name(out, spe);
+  for (const TraceSpan& span : spans) {
+    write_span(out, span, start);
+    out << ",\n";
+  }
+}
 }  // namespace
 
 Trace& Trace::instance() {
@@ -52,7 +62,8 @@ void Trace::add(TraceSpan span) {
   spans_.push_back(std::move(span));
 }
 
-void Trace::write(std::ostream& out) {
+/// All spans, as they began and the longer first.
+std::vector<TraceSpan> Trace::take() {
   std::vector<TraceSpan> spans;
   {
     const std::lock_guard lock(mutex_);
@@ -61,23 +72,26 @@ void Trace::write(std::ostream& out) {
   std::stable_sort(spans.begin(), spans.end(), [](const TraceSpan& a, const TraceSpan& b) {
     return a.begin != b.begin ? a.begin < b.begin : a.end > b.end;
   });
-  const TraceTime start = spans.empty() ? TraceTime{} : spans.front().begin;
-  std::set<unsigned> rows;
-  for (const TraceSpan& span : spans) rows.insert(span.spe);
+  return spans;
+}
+
+void Trace::write(std::ostream& out) {
+  const std::vector<TraceSpan> spans = take();
   out << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n";
-  for (const unsigned spe : rows) write_row_name(out, spe);
-  for (const TraceSpan& span : spans) {
-    write_span(out, span, start);
-    out << ",\n";
-  }
+  write_all(out, spans, spans.empty() ? TraceTime{} : spans.front().begin);
   out << R"({"ph":"M","name":"process_name","pid":1,"args":{"name":"spu_emu"}})"
       << "\n]}\n";
 }
 
-void SpeTrace::transfer(const Command& command, TraceTime issued, TraceTime begin) {
+void Trace::write_events(std::ostream& out, TraceTime origin) {
+  write_all(out, take(), origin);
+}
+
+void SpeTrace::transfer(const Command& command, std::uint64_t bytes, TraceTime issued, TraceTime begin) {
   std::string arguments =
-      format(R"("tag":%u,"size":%u,"ls":"0x%x","ea":"0x%llx","in_flight_us":%.3f)", command.tag, command.size,
-             command.ls, static_cast<unsigned long long>(command.ea), microseconds(begin - issued));
+      format(R"("tag":%u,"size":%u,"bytes":%llu,"ls":"0x%x","ea":"0x%llx","in_flight_us":%.3f)", command.tag,
+             command.size, static_cast<unsigned long long>(bytes), command.ls,
+             static_cast<unsigned long long>(command.ea), microseconds(begin - issued));
   if (command.where.file != nullptr) {
     arguments += format(R"(,"source":"%s:%d")", escaped(command.where.file).c_str(), command.where.line);
   }

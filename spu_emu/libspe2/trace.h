@@ -27,8 +27,12 @@ class Trace {
   void add(TraceSpan span);
   /// Writes every span and forgets them all. Times are in microseconds from the first span's begin.
   void write(std::ostream& out);
+  /// Its events alone, a comma behind each, with times from `origin`.
+  void write_events(std::ostream& out, TraceTime origin);
 
  private:
+  std::vector<TraceSpan> take();
+
   std::mutex mutex_;
   std::vector<TraceSpan> spans_;
 };
@@ -37,7 +41,7 @@ class Trace {
 class SpeTrace final : public ActivityLog {
  public:
   explicit SpeTrace(unsigned spe) : spe_(spe) {}
-  void transfer(const Command& command, TraceTime issued, TraceTime begin) override;
+  void transfer(const Command& command, std::uint64_t bytes, TraceTime issued, TraceTime begin) override;
   void wait(const char* what, TraceTime begin) override;
   void run(TraceTime begin);
 

@@ -3,6 +3,7 @@
 #define SPU_EMU_MFC_ACTIVITY_H
 
 #include <chrono>
+#include <cstdint>
 
 #include "mfc/command.h"
 
@@ -14,8 +15,9 @@ using TraceTime = std::chrono::steady_clock::time_point;
 class ActivityLog {
  public:
   virtual ~ActivityLog() = default;
-  /// A command issued at `issued` moved its bytes between `begin` and now.
-  virtual void transfer(const Command& command, TraceTime issued, TraceTime begin) = 0;
+  /// A command issued at `issued` moved so many bytes (of a list, those of its elements) between `begin` and
+  /// now.
+  virtual void transfer(const Command& command, std::uint64_t bytes, TraceTime issued, TraceTime begin) = 0;
   /// The SPU waited for `what` from `begin` until now.
   virtual void wait(const char* what, TraceTime begin) = 0;
 };

@@ -38,8 +38,8 @@ TraceTime CommandQueue::trace_time() const {
   return log_ == nullptr ? TraceTime{} : std::chrono::steady_clock::now();
 }
 
-void CommandQueue::report(const Command& command, TraceTime issued, TraceTime begin) {
-  if (log_ != nullptr) log_->transfer(command, issued, begin);
+void CommandQueue::report(const Command& command, std::uint64_t bytes, TraceTime issued, TraceTime begin) {
+  if (log_ != nullptr) log_->transfer(command, bytes, issued, begin);
 }
 
 void CommandQueue::count(const Command& command) {
@@ -68,7 +68,7 @@ void CommandQueue::issue_unchecked(const Command& command) {
   const TraceTime begin = trace_time();
   count(command);
   move_piece(command, make_piece(command, command.ls, command.ea, command.size));
-  report(command, begin, begin);
+  report(command, command.size, begin, begin);
 }
 
 /// `host`: where the LS side is, found by the checks; plain transfers come here checked only.
@@ -80,7 +80,7 @@ void CommandQueue::perform_now(const Command& command, std::byte* host) {
   } else {
     move_other(command);
   }
-  report(command, begin, begin);
+  report(command, is_simple_transfer(command.opcode) ? command.size : 0, begin, begin);
 }
 
 /// What moves no plain bytes between local store and memory.
@@ -267,10 +267,17 @@ void CommandQueue::land(std::size_t index) {
   end_watch(pending);
   const TraceTime begin = trace_time();
   move(pending);
-  report(pending.command, pending.issued, begin);
+  report(pending.command, bytes_of(pending), pending.issued, begin);
   if (!pending.elements.empty() && pending.elements.back().notify()) return stall(std::move(pending), index);
   count(pending.command);
   if (was_full && events_ != nullptr) events_->raise_own(MFC_COMMAND_QUEUE_AVAILABLE_EVENT);
+}
+
+std::uint64_t CommandQueue::bytes_of(const Pending& pending) {
+  if (!is_get(pending.command.opcode) && !is_store(pending.command.opcode)) return 0;
+  std::uint64_t bytes = 0;
+  for (const Piece& piece : pending.pieces) bytes += piece.size;
+  return bytes;
 }
 
 void CommandQueue::move(const Pending& pending) {

@@ -116,7 +116,8 @@ class CommandQueue {
   void resume(std::uint64_t id);
   std::size_t index_of(std::uint64_t id) const;
   void count(const Command& command);
-  void report(const Command& command, TraceTime issued, TraceTime begin);
+  static std::uint64_t bytes_of(const Pending& pending);
+  void report(const Command& command, std::uint64_t bytes, TraceTime issued, TraceTime begin);
   TraceTime trace_time() const;
   void drain();
 

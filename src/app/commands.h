@@ -17,6 +17,7 @@ void add_engines(CLI::App& program, ExitCode& exit_code);
 void add_local_store(CLI::App& program, ExitCode& exit_code);
 void add_experiment(CLI::App& program, ExitCode& exit_code);
 void add_render(CLI::App& program, ExitCode& exit_code);
+void add_view(CLI::App& program, ExitCode& exit_code);
 void add_demo(CLI::App& program, ExitCode& exit_code);
 
 }  // namespace cellsweep::app

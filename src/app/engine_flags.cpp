@@ -73,7 +73,9 @@ void EngineFlags::add_cell_flags(CLI::App& command) {
   command.add_flag("--list-dma", options_.list_dma, "cell-paper: results by DMA list, not in chunks");
   command.add_flag("--spu-boxes", options_.spu_boxes,
                    "cell-resident: given poses, it makes their boxes on the SPUs");
-  command.add_option("--trace", options_.trace_file, "Cell engines: write a timeline that opens in Perfetto")
+  command
+      .add_option("--trace", options_.trace_file,
+                  "Write a timeline that opens in Perfetto: phases, and SPEs with their transfers and waits")
       ->type_name("FILE");
 }
 

@@ -12,6 +12,7 @@ enum ExitCode : int {
   kBadUsage = 2,   ///< bad arguments or bad input
   kCapacity = 3,   ///< more than an engine holds
   kSpeFailed = 4,  ///< an SPE broke a rule of the hardware, or could not be started
+  kNoDisplay = 5,  ///< `view` found no display with OpenGL 3.3
 };
 
 /// The exit code for a status that is not ok.

@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   add_local_store(program, exit_code);
   add_experiment(program, exit_code);
   add_render(program, exit_code);
+  add_view(program, exit_code);
   add_demo(program, exit_code);
   program.footer(
       "Examples:\n"
@@ -37,8 +38,9 @@ int main(int argc, char** argv) {
       "  cellsweep verify --scene varied --bodies 500 --moving 1\n"
       "  cellsweep experiment --out results\n"
       "  cellsweep render --scene paper --frame 100 --out scene.png\n"
+      "  cellsweep view --scene paper --engine cell-resident\n"
       "Exit codes: 0 good, 1 results differ from the oracle, 2 bad usage or input, 3 over an engine's "
-      "capacity, 4 an SPE failed.");
+      "capacity, 4 an SPE failed, 5 no display for view.");
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

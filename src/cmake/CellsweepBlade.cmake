@@ -20,7 +20,8 @@ get_property(programs GLOBAL PROPERTY CELLSWEEP_SPU_PROGRAMS)
 list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>")
 add_executable(
   cellsweep_on_libspe2
-  engines/cell/libspe2_spes.cpp $<TARGET_OBJECTS:cellsweep_app> $<TARGET_OBJECTS:cellsweep_report>
+  engines/cell/libspe2_spes.cpp $<TARGET_OBJECTS:cellsweep_app> $<TARGET_OBJECTS:cellsweep_view>
+  $<TARGET_OBJECTS:cellsweep_report>
   $<FILTER:$<TARGET_OBJECTS:cellsweep>,EXCLUDE,spu_emu_emulation> ${programs})
 cellsweep_target(cellsweep_on_libspe2)
 target_include_directories(cellsweep_on_libspe2 PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)

@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "broadphase/text.h"
 #include "cellsweep/engines.h"
 #include "cellsweep/local_store.h"
 #include "engines/control/control.h"
 #include "engines/stream/stream.h"
+#include "engines/timeline.h"
+#include "engines/traced_broadphase.h"
 #ifdef CELLSWEEP_CELL_ENGINES
 #include "engines/cell/cell_engines.h"
 #endif
@@ -77,6 +80,16 @@ Status unknown_engine_status(std::string_view name) {
           "engine"};
 }
 
+// With a row of its own; that of an engine with SPEs is the Cell's other processor.
+Result<std::unique_ptr<Broadphase>> traced(std::unique_ptr<Broadphase> engine, const Entry& entry,
+                                           const EngineOptions& options) {
+  auto timeline = Timeline::open(options.trace_file);
+  if (!timeline) return timeline.status();
+  const std::string name(entry.info.name);
+  return std::unique_ptr<Broadphase>(std::make_unique<TracedBroadphase>(
+      std::move(engine), std::move(*timeline), entry.map == nullptr ? name : "PPU, " + name));
+}
+
 }  // namespace
 
 std::span<const EngineInfo> engine_table() {
@@ -85,7 +98,10 @@ std::span<const EngineInfo> engine_table() {
 
 Result<std::unique_ptr<Broadphase>> make_engine(std::string_view name, const EngineOptions& options) {
   const Entry* entry = find_entry(name);
-  return entry == nullptr ? unknown_engine_status(name) : entry->make(options);
+  if (entry == nullptr) return unknown_engine_status(name);
+  auto engine = entry->make(options);
+  return engine && !options.trace_file.empty() ? traced(std::move(*engine), *entry, options)
+                                               : std::move(engine);
 }
 
 Result<LocalStoreMap> local_store_map(std::string_view engine, const EngineOptions& options,

@@ -1,12 +1,14 @@
 /// @file
-/// Takes the time of an engine's steps for its statistics.
+/// Takes the time of an engine's steps for its statistics and its timeline.
 #pragma once
 
 #include <chrono>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "cellsweep/broadphase.h"
+#include "engines/timeline.h"
 
 namespace cellsweep {
 
@@ -18,6 +20,8 @@ class PhaseTimer {
   /// Everything since the last call, or since construction, was the step of this name.
   void lap(std::string_view name, bool setup = false) {
     const Clock::time_point now = Clock::now();
+    if (const TimelineRow* row = TimelineRow::current())
+      row->timeline->add(row->number, std::string(name), last_, now);
     phases_.push_back({name, std::chrono::duration<double, std::milli>(now - last_).count(), setup});
     last_ = now;
   }

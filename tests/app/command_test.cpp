@@ -25,8 +25,8 @@ TEST(Command, SaysHowItIsUsedWithExamplesAndExitCodes) {
 }
 
 TEST(Command, GivesEverySubcommandAHelpPage) {
-  for (const std::string name :
-       {"simulate", "replay", "record", "verify", "engines", "local-store", "demo", "experiment", "render"}) {
+  for (const std::string name : {"simulate", "replay", "record", "verify", "engines", "local-store", "demo",
+                                 "experiment", "render", "view"}) {
     const CommandResult result = run_command(name + " --help");
     EXPECT_EQ(result.exit_code, 0) << name;
     EXPECT_THAT(result.output, HasSubstr("--help")) << name;

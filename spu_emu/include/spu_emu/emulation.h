@@ -4,6 +4,7 @@
 
 #include <libspe2.h>
 
+#include <chrono>
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
@@ -108,6 +109,10 @@ std::string registers(spe_context_ptr_t spe);
 /// Writes everything traced so far, of all contexts, as Chrome trace JSON (opens in Perfetto), and forgets
 /// it.
 void write_trace(std::ostream& out);
+
+/// The same events without the document around them, to become part of another: each in a line, a comma
+/// behind it; times from `origin`.
+void write_trace_events(std::ostream& out, std::chrono::steady_clock::time_point origin);
 
 }  // namespace spu_emu
 

@@ -2,10 +2,26 @@
 
 #include "engines/cell/emulation.h"
 #include "engines/cell/ppu/brute.h"
+#include "engines/cell/ppu/layout.h"
 #include "engines/cell/ppu/paper.h"
 #include "engines/cell/ppu/resident.h"
 
 namespace cellsweep {
+namespace {
+
+// What cell-brute and cell-resident choose, and cell-paper has always.
+constexpr unsigned kDefaultSpus = 3;
+
+Result<LocalStoreMap> map_of(const char* engine, const EngineOptions& options,
+                             const cell::BufferList& buffers, std::uint64_t bodies, unsigned spus) {
+  auto emulation = cell::make_emulation(options);
+  if (!emulation) return emulation.status();
+  LocalStoreMap map = cell::make_local_store_map(engine, (*emulation)->local_store(), buffers, bodies);
+  map.spus = spus == 0 ? kDefaultSpus : spus;
+  return map;
+}
+
+}  // namespace
 
 Result<std::unique_ptr<Broadphase>> make_cell_paper(const EngineOptions& options) {
   auto emulation = cell::make_emulation(options);
@@ -14,10 +30,8 @@ Result<std::unique_ptr<Broadphase>> make_cell_paper(const EngineOptions& options
 }
 
 Result<LocalStoreMap> cell_paper_map(const EngineOptions& options, std::uint64_t bodies) {
-  auto emulation = cell::make_emulation(options);
-  if (!emulation) return emulation.status();
   const auto buffers = [&](std::uint64_t count) { return cell::paper_buffers(options, count); };
-  return cell::make_local_store_map("cell-paper", (*emulation)->local_store(), buffers, bodies);
+  return map_of("cell-paper", options, buffers, bodies, kDefaultSpus);
 }
 
 Result<std::unique_ptr<Broadphase>> make_cell_brute(const EngineOptions& options) {
@@ -27,9 +41,7 @@ Result<std::unique_ptr<Broadphase>> make_cell_brute(const EngineOptions& options
 }
 
 Result<LocalStoreMap> cell_brute_map(const EngineOptions& options, std::uint64_t bodies) {
-  auto emulation = cell::make_emulation(options);
-  if (!emulation) return emulation.status();
-  return cell::make_local_store_map("cell-brute", (*emulation)->local_store(), cell::brute_buffers, bodies);
+  return map_of("cell-brute", options, cell::brute_buffers, bodies, options.spus);
 }
 
 Result<std::unique_ptr<Broadphase>> make_cell_resident(const EngineOptions& options) {
@@ -39,10 +51,8 @@ Result<std::unique_ptr<Broadphase>> make_cell_resident(const EngineOptions& opti
 }
 
 Result<LocalStoreMap> cell_resident_map(const EngineOptions& options, std::uint64_t bodies) {
-  auto emulation = cell::make_emulation(options);
-  if (!emulation) return emulation.status();
   const auto buffers = [&](std::uint64_t count) { return cell::resident_buffers(options, count); };
-  return cell::make_local_store_map("cell-resident", (*emulation)->local_store(), buffers, bodies);
+  return map_of("cell-resident", options, buffers, bodies, options.spus);
 }
 
 }  // namespace cellsweep

@@ -1,13 +1,11 @@
 #include <spu_emu/emulation.h>
 
-#include <fstream>
-#include <map>
-#include <mutex>
 #include <stdexcept>
 
 #include "broadphase/text.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/spu_elf.h"
+#include "engines/timeline.h"
 
 namespace cellsweep::cell {
 namespace {
@@ -29,30 +27,6 @@ constexpr std::uint64_t kLine = 128;
 /// Stands for as many SPEs as the engine uses.
 constexpr std::uint32_t kSharingAsUsed = 0;
 
-/// A timeline file, written when the last engine that named it goes: spu_emu keeps one timeline for all.
-class TraceFile {
- public:
-  explicit TraceFile(const std::string& path) : out_(path, std::ios::trunc) {}
-  ~TraceFile() { spu_emu::write_trace(out_); }
-  TraceFile(const TraceFile&) = delete;
-  TraceFile& operator=(const TraceFile&) = delete;
-
-  bool good() const { return out_.good(); }
-
- private:
-  std::ofstream out_;
-};
-
-std::shared_ptr<TraceFile> open_trace(const std::string& path) {
-  static std::mutex mutex;
-  static std::map<std::string, std::weak_ptr<TraceFile>> files;
-  const std::lock_guard lock(mutex);
-  std::weak_ptr<TraceFile>& known = files[path];
-  std::shared_ptr<TraceFile> file = known.lock();
-  if (!file) known = file = std::make_shared<TraceFile>(path);
-  return file;
-}
-
 spu_emu::DmaMode mode_of(DmaMode mode) {
   switch (mode) {
     case DmaMode::late:
@@ -67,15 +41,15 @@ spu_emu::DmaMode mode_of(DmaMode mode) {
 class SpuEmuEmulation final : public Emulation {
  public:
   SpuEmuEmulation(const EngineOptions& options, std::optional<spu_emu::CycleParameters> cycles,
-                  std::shared_ptr<TraceFile> trace)
+                  std::shared_ptr<Timeline> timeline)
       : limit_(options.local_store_bytes),
         isa_(options.spe_engine == SpeEngine::isa),
-        trace_(std::move(trace)) {
+        timeline_(std::move(timeline)) {
     settings_.dma_mode = mode_of(options.dma);
     settings_.seed = options.dma_seed;
     settings_.local_store_limit =
         static_cast<std::uint32_t>(limit_ == 0 || isa_ ? limit_ : limit_ + kSanitizerBytes);
-    settings_.trace = trace_ != nullptr;
+    settings_.trace = timeline_ != nullptr;
     settings_.cycles = cycles;
   }
 
@@ -116,7 +90,7 @@ class SpuEmuEmulation final : public Emulation {
   std::uint64_t limit_;
   bool isa_;
   spu_emu::EmulationSettings settings_;
-  std::shared_ptr<TraceFile> trace_;
+  std::shared_ptr<Timeline> timeline_;  // written after the last context is gone
 };
 
 Status check_local_store(const EngineOptions& options) {
@@ -193,19 +167,14 @@ Result<std::shared_ptr<Emulation>> make_emulation(const EngineOptions& options) 
   if (Status status = check_isa(options); !status.ok()) return status;
   auto cycles = find_cycle_parameters(options);
   if (!cycles) return cycles.status();
-  std::shared_ptr<TraceFile> trace;
+  std::shared_ptr<Timeline> timeline;
   if (!options.trace_file.empty()) {
-    trace = open_trace(options.trace_file);
-    if (!trace->good()) {
-      return Status{StatusCode::bad_option,
-                    text("The trace file \"", options.trace_file, "\" cannot be written."),
-                    std::nullopt,
-                    0,
-                    0,
-                    "trace_file"};
-    }
+    auto opened = Timeline::open(options.trace_file);
+    if (!opened) return opened.status();
+    timeline = std::move(*opened);
+    timeline->show_spes(&spu_emu::write_trace_events);
   }
-  return std::shared_ptr<Emulation>(std::make_shared<SpuEmuEmulation>(options, *cycles, std::move(trace)));
+  return std::shared_ptr<Emulation>(std::make_shared<SpuEmuEmulation>(options, *cycles, std::move(timeline)));
 }
 
 }  // namespace cellsweep::cell

@@ -28,9 +28,15 @@ struct PictureSettings {
   unsigned threads = 0;   ///< 0: one for each core
 };
 
-/// The bodies of the frame a source stands at: turned as its poses say, or its boxes if it knows none. A body
-/// is colliding when the box of it overlaps another body's. Bodies as long as the world on two axes are taken
-/// for its floor and walls and left out, for they hide the rest.
+/// The bodies of a picture, ascending: those as long as the world on two axes are taken for its floor and
+/// walls and left out, for they hide the rest.
+std::vector<BodyId> shown_bodies(const FrameSource& source, const Aabb& world);
+
+/// Turned as the source's poses say, or the body's box if it knows none.
+BodyPose shown_pose(const FrameSource& source, BodyId body);
+
+/// The shown bodies of the frame a source stands at. A body is colliding when the box of it overlaps another
+/// body's.
 Tableau tableau_of(const FrameSource& source, const Aabb& world);
 
 /// The world of a recording for its pictures: its own, or, if it has walls, the bounds of all other boxes of

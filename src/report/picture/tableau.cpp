@@ -48,16 +48,27 @@ Tableau tableau_of(const FrameSource& source, const Aabb& world) {
     is_colliding[pair.a] = true;
     is_colliding[pair.b] = true;
   }
-  const std::span<const Aabb> boxes = source.boxes();
-  const bool only_walls =
-      std::all_of(boxes.begin(), boxes.end(), [&](const Aabb& box) { return is_wall(box, world); });
   Tableau tableau{world, {}, {}};
-  for (std::size_t body = 0; body < boxes.size(); ++body) {
-    if (!only_walls && is_wall(boxes[body], world)) continue;
-    tableau.bodies.push_back(source.poses().empty() ? pose_of(boxes[body]) : source.poses()[body]);
+  for (const BodyId body : shown_bodies(source, world)) {
+    tableau.bodies.push_back(shown_pose(source, body));
     tableau.colliding.push_back(is_colliding[body]);
   }
   return tableau;
+}
+
+std::vector<BodyId> shown_bodies(const FrameSource& source, const Aabb& world) {
+  const std::span<const Aabb> boxes = source.boxes();
+  const bool only_walls =
+      std::all_of(boxes.begin(), boxes.end(), [&](const Aabb& box) { return is_wall(box, world); });
+  std::vector<BodyId> shown;
+  for (std::size_t body = 0; body < boxes.size(); ++body) {
+    if (only_walls || !is_wall(boxes[body], world)) shown.push_back(static_cast<BodyId>(body));
+  }
+  return shown;
+}
+
+BodyPose shown_pose(const FrameSource& source, BodyId body) {
+  return source.poses().empty() ? pose_of(source.boxes()[body]) : source.poses()[body];
 }
 
 Aabb stage_of(const Recording& recording) {

@@ -1,4 +1,5 @@
 // The timeline: valid JSON with one row for each SPE and spans that nest.
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -43,13 +44,32 @@ TEST(Trace, rows_are_spes_and_spans_nest_in_every_mode) {
       open_until.push_back(end);
       if (event.at("name") == "get") {
         ++gets;
-        EXPECT_TRUE(event.at("args").contains("size"));
+        EXPECT_EQ(event.at("args").at("bytes"), event.at("args").at("size"));
         EXPECT_NE(event.at("args").at("source").get<std::string>().find("probe_spu.cpp"), std::string::npos);
       }
     }
     EXPECT_EQ(rows.size(), 2U);
     EXPECT_EQ(gets, 33);
   }
+}
+
+TEST(Trace, becomes_part_of_another_timeline_with_times_from_its_origin) {
+  take_trace();
+  const auto origin = std::chrono::steady_clock::now();
+  EmulationSettings settings;
+  settings.trace = true;
+  TestContext context(settings);
+  context.exit_code(Probe::return_parameter);
+  std::ostringstream events;
+  events << '[';
+  write_trace_events(events, origin);
+  events << "{}]";
+  const nlohmann::json rows = nlohmann::json::parse(events.str());
+  ASSERT_EQ(rows.size(), 3U);  // the row's name, its one run, and what was put behind the last comma
+  EXPECT_EQ(rows[1].at("name"), "run");
+  EXPECT_GE(rows[1].at("ts"), 0.0);
+  const std::chrono::duration<double, std::micro> until_now = std::chrono::steady_clock::now() - origin;
+  EXPECT_LE(rows[1].at("ts").get<double>() + rows[1].at("dur").get<double>(), until_now.count());
 }
 
 TEST(Trace, is_empty_unless_asked_for_and_valid_then) {

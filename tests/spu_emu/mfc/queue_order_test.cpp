@@ -43,7 +43,7 @@ bool is_legal(const std::vector<Step>& steps, const Order& order) {
 /// Notes each transfer as it lands; barriers move nothing and so cannot be seen to land elsewhere.
 class Recorder : public ActivityLog {
  public:
-  void transfer(const Command& command, TraceTime, TraceTime) override {
+  void transfer(const Command& command, std::uint64_t, TraceTime, TraceTime) override {
     order.push_back(static_cast<int>(command.where.line));
   }
   void wait(const char*, TraceTime) override {}

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "broadphase/text.h"
+#include "engines/timeline.h"
 
 extern "C" spe_program_handle_t cell_resident_spu;
 
@@ -114,6 +115,7 @@ Status ResidentSpes::obey(ResidentOrder order, std::uint32_t records) {
 
 Status ResidentSpes::wait_for_answers() {
   const SpeGroup::Aside aside(*group_);
+  const TimelineSpan span("wait for mailboxes");
   std::vector<spe_event_unit_t> units(size());
   while (!take_answers()) {
     spe_event_wait(events_.get(), units.data(), static_cast<int>(units.size()), kLookAfter);

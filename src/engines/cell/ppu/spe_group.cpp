@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "broadphase/text.h"
+#include "engines/timeline.h"
 
 namespace cellsweep::cell {
 namespace {
@@ -60,6 +61,7 @@ Status SpeGroup::load(unsigned index) {
 Status SpeGroup::run(std::span<void* const> jobs) {
   const Aside aside(*this);
   start(jobs);
+  const TimelineSpan span("wait for SPEs to end");
   return join();
 }
 

@@ -1,0 +1,94 @@
+#include <algorithm>
+
+#include "app/commands.h"
+#include "app/engine_flags.h"
+#include "app/output.h"
+#include "app/scene_flags.h"
+#include "broadphase/text.h"
+#include "view/view.h"
+
+namespace cellsweep::app {
+namespace {
+
+struct View {
+  std::string file;
+  SceneFlags scene;
+  EngineFlags engines;
+  view::ViewSettings window;
+  bool no_panel = false;
+  std::size_t recorded_frames = 0;  // 0: a scene
+
+  ExitCode run() {
+    if (engines.names().size() != 1) {
+      return complain({StatusCode::bad_option,
+                       "The window shows one engine at a time; its panel and keys change it.", std::nullopt,
+                       engines.names().size(), 1, "engine"});
+    }
+    view::SimulationSettings settings{nullptr, scene.settings, engines.names().front(), engines.options()};
+    if (!file.empty()) {
+      auto recording = read_recording(file);
+      if (!recording) return complain(recording.status());
+      recorded_frames = std::max<std::size_t>(1, recording->frames());
+      settings.recording = std::make_shared<const Recording>(std::move(*recording));
+    }
+    auto simulation = view::Simulation::make(std::move(settings));
+    if (!simulation) return complain(simulation.status());
+    window.panel = !no_panel;
+    const view::ViewEnd end = view::show(**simulation, window);
+    if (!end.no_display.empty()) return complain_of_display(end.no_display);
+    return end.status.ok() ? kGood : complain(end.status);
+  }
+
+ private:
+  ExitCode complain_of_display(const std::string& why) const {
+    static_cast<void>(complain({StatusCode::bad_input,
+                                text("There is no display with OpenGL 3.3 to open a window on (", why,
+                                     "). A picture needs none:\n  ", render_command()),
+                                std::nullopt, 0, 0, ""}));
+    return kNoDisplay;
+  }
+
+  // What draws the picture that the window would have shown last; it plays recordings again and again.
+  std::string render_command() const {
+    const std::size_t steps = window.frames.value_or(0);
+    const SceneSettings& s = scene.settings;
+    const std::string what =
+        file.empty() ? text("--scene ", s.scene, " --bodies ", s.bodies, " --moving ", s.moving, " --speed ",
+                            s.speed, s.spinning ? " --spinning" : "", " --seed ", s.seed)
+                     : "'" + file + "'";
+    const std::string out = window.screenshot.empty() ? "scene.png" : window.screenshot.string();
+    return text("cellsweep render ", what, " --frame ",
+                recorded_frames == 0 ? steps : steps % recorded_frames, " --width ", window.width,
+                " --height ", window.height, " --out '", out, "'");
+  }
+};
+
+}  // namespace
+
+void add_view(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command = program.add_subcommand(
+      "view", "Show a scene or recording in a window while an engine works on it; colliding boxes are green");
+  auto view = std::make_shared<View>();
+  command->add_option("FILE", view->file, "A recording; without one, a scene is run");
+  view->scene.add_to(*command);
+  view->engines.add_to(*command, "stream");
+  command->add_option("--frames", view->window.frames,
+                      "Updates after frame 0, then end [no end; 0 with --screenshot]");
+  command
+      ->add_option("--screenshot", view->window.screenshot,
+                   "Show no window, but write what is in it at the end as a PNG file")
+      ->type_name("FILE");
+  command->add_option("--width", view->window.width, "Pixels across")->capture_default_str();
+  command->add_option("--height", view->window.height, "Pixels down")->capture_default_str();
+  command->add_flag("--no-panel", view->no_panel, "Begin without the panel");
+  command->add_flag("--help-keys", view->window.help, "Begin with the help of the keys");
+  command->footer(
+      "H shows the keys. Exit code 5 where there is no display with OpenGL 3.3.\n"
+      "Examples:\n"
+      "  cellsweep view --scene paper --bodies 1024 --engine cell-resident\n"
+      "  cellsweep view bench/scenes/bullet-pile-1024.aabbs\n"
+      "  cellsweep view --scene varied --bodies 300 --frames 50 --screenshot varied.png");
+  command->callback([view, &exit_code] { exit_code = view->run(); });
+}
+
+}  // namespace cellsweep::app

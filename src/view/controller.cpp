@@ -1,0 +1,146 @@
+#include "view/controller.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cellsweep::view {
+namespace {
+
+constexpr float kTurn = 0.08F;  // radians
+constexpr float kZoom = 1.1F;
+constexpr double kMovingStep = 0.1;
+
+constexpr std::array kBindings = {
+    KeyBinding{' ', "Space", Action::pause, "pause, go on"},
+    KeyBinding{'N', "N", Action::step, "pause and go one frame on", true},
+    KeyBinding{'R', "R", Action::restart, "back to the first frame"},
+    KeyBinding{'E', "E", Action::next_engine, "next engine"},
+    KeyBinding{'Q', "Q", Action::previous_engine, "engine before"},
+    KeyBinding{'B', "B", Action::more_bodies, "twice the bodies"},
+    KeyBinding{'V', "V", Action::fewer_bodies, "half the bodies"},
+    KeyBinding{'M', "M", Action::more_moving, "10 % more of them move"},
+    KeyBinding{'L', "L", Action::fewer_moving, "10 % fewer move"},
+    KeyBinding{kLeft, "Left", Action::turn_left, "turn left", true},
+    KeyBinding{kRight, "Right", Action::turn_right, "turn right", true},
+    KeyBinding{kUp, "Up", Action::turn_up, "look from higher up", true},
+    KeyBinding{kDown, "Down", Action::turn_down, "look from lower down", true},
+    KeyBinding{'+', "+", Action::zoom_in, "nearer", true},
+    KeyBinding{'-', "-", Action::zoom_out, "farther away", true},
+    KeyBinding{'0', "0", Action::first_view, "the view of the beginning"},
+    KeyBinding{'P', "P", Action::show_panel, "panel on, off"},
+    KeyBinding{'H', "H", Action::show_help, "this help on, off"},
+    KeyBinding{kEscape, "Esc", Action::quit, "end"},
+};
+
+}  // namespace
+
+std::span<const KeyBinding> key_bindings() {
+  return kBindings;
+}
+
+void Controller::tick() {
+  if (!paused_) step();
+}
+
+void Controller::press(int key, bool held) {
+  const auto binding =
+      std::find_if(kBindings.begin(), kBindings.end(), [&](const KeyBinding& b) { return b.key == key; });
+  if (binding != kBindings.end() && (!held || binding->repeats)) act(binding->action);
+}
+
+void Controller::act(Action action) {
+  switch (action) {
+    case Action::pause:
+      paused_ = !paused_;
+      return;
+    case Action::step:
+      paused_ = true;
+      return step();
+    case Action::restart:
+      return note(simulation_.restart());
+    case Action::next_engine:
+      return change_engine(1);
+    case Action::previous_engine:
+      return change_engine(-1);
+    case Action::more_bodies:
+      return use_bodies(2 * simulation_.bodies());
+    case Action::fewer_bodies:
+      return use_bodies(std::max<std::size_t>(1, simulation_.bodies() / 2));
+    case Action::more_moving:
+      return change_moving(kMovingStep);
+    case Action::fewer_moving:
+      return change_moving(-kMovingStep);
+    case Action::turn_left:
+      return camera_.orbit(-kTurn, 0);
+    case Action::turn_right:
+      return camera_.orbit(kTurn, 0);
+    case Action::turn_up:
+      return camera_.orbit(0, kTurn);
+    case Action::turn_down:
+      return camera_.orbit(0, -kTurn);
+    case Action::zoom_in:
+      return camera_.zoom(1 / kZoom);
+    case Action::zoom_out:
+      return camera_.zoom(kZoom);
+    case Action::first_view:
+      camera_ = OrbitCamera(simulation_.bounds());
+      return;
+    case Action::show_panel:
+      shows_panel_ = !shows_panel_;
+      return;
+    case Action::show_help:
+      shows_help_ = !shows_help_;
+      return;
+    case Action::quit:
+      wants_to_quit_ = true;
+      return;
+  }
+}
+
+void Controller::use_engine(std::string_view name) {
+  tried_engine_ = name;
+  note(simulation_.use_engine(name));
+}
+
+// A world of another size is looked at anew.
+void Controller::use_bodies(std::size_t bodies) {
+  const Aabb before = simulation_.bounds();
+  note(simulation_.use_bodies(bodies));
+  if (!(simulation_.bounds() == before)) camera_ = OrbitCamera(simulation_.bounds());
+}
+
+void Controller::use_moving(double share) {
+  note(simulation_.use_moving(share));
+}
+
+// What fails once fails again: the picture stands still instead of complaining every frame.
+void Controller::step() {
+  const Status status = simulation_.step();
+  if (status.ok()) return;
+  note(status);
+  paused_ = true;
+}
+
+void Controller::note(const Status& status) {
+  complaint_ = status.message;
+}
+
+// From the one that was tried last, so that one which cannot be had is passed by the next press.
+void Controller::change_engine(int by) {
+  const auto table = engine_table();
+  const std::string_view from = tried_engine_.empty() ? simulation_.engine_name() : tried_engine_;
+  const auto now =
+      std::find_if(table.begin(), table.end(), [&](const EngineInfo& info) { return info.name == from; });
+  const auto count = static_cast<std::ptrdiff_t>(table.size());
+  const std::ptrdiff_t next = (now - table.begin() + by + count) % count;
+  use_engine(table[static_cast<std::size_t>(next)].name);
+}
+
+// To whole tenths, so that up and down meets the same shares.
+void Controller::change_moving(double by) {
+  const double wanted = std::round((simulation_.moving() + by) * 10) / 10;
+  use_moving(std::clamp(wanted, 0.0, 1.0));
+}
+
+}  // namespace cellsweep::view

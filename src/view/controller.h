@@ -1,0 +1,96 @@
+/// @file
+/// What keys and sliders do: pause, step, change the simulation, and say what could not be changed.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "view/orbit_camera.h"
+#include "view/simulation.h"
+
+namespace cellsweep::view {
+
+/// What a key does.
+enum class Action {
+  pause,
+  step,
+  restart,
+  next_engine,
+  previous_engine,
+  more_bodies,
+  fewer_bodies,
+  more_moving,
+  fewer_moving,
+  turn_left,
+  turn_right,
+  turn_up,
+  turn_down,
+  zoom_in,
+  zoom_out,
+  first_view,
+  show_panel,
+  show_help,
+  quit,
+};
+
+/// Keys without a character of their own; the others go by it, letters as capitals.
+enum SpecialKey : int { kEscape = 0x100, kLeft, kRight, kUp, kDown };
+
+struct KeyBinding {
+  int key;
+  std::string_view name;  ///< what stands on the key
+  Action action;
+  std::string_view text;  ///< what it does, for the help
+  bool repeats = false;   ///< does it again and again while it is held
+};
+
+/// All keys, in the order of the help.
+std::span<const KeyBinding> key_bindings();
+
+/// The state of the window that is not the simulation's. One thread at a time.
+class Controller {
+ public:
+  /// The simulation outlives the controller.
+  explicit Controller(Simulation& simulation) : simulation_(simulation), camera_(simulation.bounds()) {}
+
+  /// Once a picture: goes one frame on, unless paused.
+  void tick();
+
+  /// Does what the key is for; a key that is for nothing does nothing. `held`: it was pressed before and not
+  /// let go.
+  void press(int key, bool held = false);
+  void act(Action action);
+
+  void use_engine(std::string_view name);
+  void use_bodies(std::size_t bodies);
+  void use_moving(double share);
+
+  const Simulation& simulation() const { return simulation_; }
+  OrbitCamera& camera() { return camera_; }
+  const OrbitCamera& camera() const { return camera_; }
+  bool paused() const { return paused_; }
+  bool shows_panel() const { return shows_panel_; }
+  bool shows_help() const { return shows_help_; }
+  bool wants_to_quit() const { return wants_to_quit_; }
+
+  /// Why the last change was not made; empty after one that was.
+  const std::string& complaint() const { return complaint_; }
+
+ private:
+  void step();
+  void note(const Status& status);
+  void change_engine(int by);
+  void change_moving(double by);
+
+  Simulation& simulation_;
+  OrbitCamera camera_;
+  bool paused_ = false;
+  bool shows_panel_ = true;
+  bool shows_help_ = false;
+  bool wants_to_quit_ = false;
+  std::string tried_engine_;  // by key; it may have been refused
+  std::string complaint_;
+};
+
+}  // namespace cellsweep::view

@@ -1,0 +1,26 @@
+/// @file
+/// What is to be drawn of a simulation, as the graphics card takes it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "cellsweep/world.h"
+#include "view/simulation.h"
+
+namespace cellsweep::view {
+
+/// One box. Thirteen floats, no padding.
+struct DrawnBox {
+  std::array<float, 3> centre{};
+  std::array<float, 3> half_extents{};
+  std::array<float, 4> orientation{0, 0, 0, 1};  ///< quaternion x, y, z, w
+  Color color{};
+};
+
+static_assert(sizeof(DrawnBox) == 52);
+
+/// The bodies, colliding ones green, without walls and floors; then the twelve edges of the world as bars.
+std::vector<DrawnBox> drawn_boxes(const Simulation& simulation);
+
+}  // namespace cellsweep::view

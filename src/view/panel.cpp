@@ -1,0 +1,159 @@
+#include "view/panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "view/panel_charts.h"
+
+namespace cellsweep::view {
+namespace {
+
+constexpr int kFewestBodies = 16;
+constexpr int kMostBodies = 65536;
+constexpr float kFontSize = 14.5F;
+constexpr const char* kFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+const ImVec4 kWarning = {0.78F, 0.16F, 0.10F, 1};
+const ImVec4 kFaint = {0.42F, 0.46F, 0.52F, 1};
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoNav;
+
+void heading(const char* text) {
+  ImGui::Dummy({0, 4});
+  ImGui::TextColored(kFaint, "%s", text);
+}
+
+void row(const char* name, const std::string& value) {
+  ImGui::TextUnformatted(name);
+  ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x +
+                  ImGui::GetCursorPosX());
+  ImGui::TextUnformatted(value.c_str());
+}
+
+void draw_engine_choice(Controller& controller) {
+  const Simulation& simulation = controller.simulation();
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##engine", simulation.engine_name().c_str())) return;
+  for (const EngineInfo& info : engine_table()) {
+    const std::string name(info.name);
+    if (ImGui::Selectable(name.c_str(), name == simulation.engine_name())) controller.use_engine(name);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(info.summary).c_str());
+  }
+  ImGui::EndCombo();
+}
+
+void draw_buttons(Controller& controller) {
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+  if (ImGui::Button(controller.paused() ? "Go on" : "Pause", {width, 0})) controller.act(Action::pause);
+  ImGui::SameLine();
+  if (ImGui::Button("Step", {width, 0})) controller.act(Action::step);
+  ImGui::SameLine();
+  if (ImGui::Button("Restart", {width, 0})) controller.act(Action::restart);
+}
+
+void draw_numbers(const Simulation& simulation) {
+  heading("Pairs");
+  row("frame", std::to_string(simulation.frame()));
+  row("overlapping pairs", std::to_string(simulation.engine().pairs().size()));
+  row("began, ended", std::to_string(simulation.began()) + ", " + std::to_string(simulation.ended()));
+  row("green bodies",
+      std::to_string(std::count(simulation.colliding().begin(), simulation.colliding().end(), true)));
+}
+
+void draw_complaint(const Controller& controller) {
+  if (controller.complaint().empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
+  ImGui::TextWrapped("%s", controller.complaint().c_str());
+  ImGui::PopStyleColor();
+}
+
+void draw_help() {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x - 20, 20}, ImGuiCond_Always, {1, 0});
+  ImGui::SetNextWindowBgAlpha(0.93F);
+  ImGui::Begin("help", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize);
+  for (const KeyBinding& binding : key_bindings()) {
+    ImGui::TextUnformatted(binding.name.data(), binding.name.data() + binding.name.size());
+    ImGui::SameLine(70);
+    ImGui::TextUnformatted(binding.text.data(), binding.text.data() + binding.text.size());
+  }
+  ImGui::Separator();
+  ImGui::TextColored(kFaint, "Mouse: drag turns, with the right button shifts; the wheel zooms.");
+  ImGui::End();
+}
+
+}  // namespace
+
+void set_panel_style() {
+  ImGui::StyleColorsLight();
+  ImGuiStyle& style = ImGui::GetStyle();
+  style.WindowRounding = 0;
+  style.FrameRounding = 4;
+  style.GrabRounding = 4;
+  style.WindowBorderSize = 0;
+  style.WindowPadding = {16, 14};
+  style.FramePadding = {8, 4};
+  style.ItemSpacing = {8, 3};
+  style.Colors[ImGuiCol_WindowBg] = {0.985F, 0.988F, 0.992F, 1};
+  style.Colors[ImGuiCol_FrameBg] = {0.91F, 0.925F, 0.94F, 1};
+  style.Colors[ImGuiCol_Text] = {0.13F, 0.16F, 0.20F, 1};
+  style.Colors[ImGuiCol_Button] = {0.86F, 0.885F, 0.91F, 1};
+  style.Colors[ImGuiCol_SliderGrab] = {0.26F, 0.62F, 0.31F, 1};
+  style.Colors[ImGuiCol_SliderGrabActive] = {0.18F, 0.50F, 0.23F, 1};
+  // Without it ImGui's own small font serves.
+  if (std::filesystem::exists(kFont)) ImGui::GetIO().Fonts->AddFontFromFileTTF(kFont, kFontSize);
+}
+
+void Panel::draw(Controller& controller, float height) {
+  if (controller.shows_help()) draw_help();
+  if (!controller.shows_panel()) return;
+  const Simulation& simulation = controller.simulation();
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({static_cast<float>(kPanelWidth), height});
+  ImGui::Begin("panel", nullptr, kFixed);
+  ImGui::Text("cellsweep: %s", simulation.source_name().c_str());
+  ImGui::Dummy({0, 2});
+  draw_controls(controller);
+  draw_complaint(controller);
+  draw_numbers(simulation);
+  heading("Engine's time, ms a frame");
+  draw_frame_times(simulation.frame_times());
+  heading("Its phases, ms");
+  for (const Phase& phase : simulation.engine().statistics().phases) {
+    if (!phase.setup) row(std::string(phase.name).c_str(), milliseconds_text(phase.milliseconds));
+  }
+  if (simulation.local_store()) {
+    heading("Local stores");
+    draw_local_stores(*simulation.local_store());
+  }
+  heading("H: keys");
+  ImGui::End();
+}
+
+void Panel::draw_controls(Controller& controller) {
+  const Simulation& simulation = controller.simulation();
+  if (!held_) {
+    bodies_ = static_cast<int>(simulation.bodies());
+    moving_percent_ = simulation.is_recording() ? 0 : static_cast<float>(100 * simulation.moving());
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 6});
+  draw_engine_choice(controller);
+  ImGui::BeginDisabled(simulation.is_recording());
+  ImGui::SetNextItemWidth(-70);
+  ImGui::SliderInt("bodies", &bodies_, kFewestBodies, kMostBodies, "%d", ImGuiSliderFlags_Logarithmic);
+  held_ = ImGui::IsItemActive();
+  if (ImGui::IsItemDeactivatedAfterEdit()) controller.use_bodies(static_cast<std::size_t>(bodies_));
+  ImGui::SetNextItemWidth(-70);
+  ImGui::SliderFloat("moving", &moving_percent_, 0, 100,
+                     simulation.is_recording() ? "as recorded" : "%.0f %%");
+  held_ = held_ || ImGui::IsItemActive();
+  if (ImGui::IsItemDeactivatedAfterEdit()) controller.use_moving(moving_percent_ / 100);
+  ImGui::EndDisabled();
+  draw_buttons(controller);
+  ImGui::PopStyleVar();
+}
+
+}  // namespace cellsweep::view

@@ -1,0 +1,259 @@
+#include <epoxy/gl.h>
+// After epoxy, which it would replace.
+#include <GLFW/glfw3.h>
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "broadphase/text.h"
+#include "view/canvas.h"
+#include "view/painter.h"
+#include "view/panel.h"
+#include "view/view.h"
+
+namespace cellsweep::view {
+namespace {
+
+/// What keeps a window from being there, as a phrase.
+struct NoDisplay : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// GLFW and one window with a current context of OpenGL 3.3.
+class Window {
+ public:
+  Window(const ViewSettings& settings, const std::string& title) {
+    if (glfwInit() == GLFW_FALSE) throw NoDisplay(glfw_words());
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, settings.screenshot.empty() ? GLFW_TRUE : GLFW_FALSE);
+    window_ = glfwCreateWindow(static_cast<int>(settings.width), static_cast<int>(settings.height),
+                               title.c_str(), nullptr, nullptr);
+    if (window_ == nullptr) {
+      const std::string why = glfw_words();
+      glfwTerminate();
+      throw NoDisplay(why);
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+  }
+  ~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+  }
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  GLFWwindow* get() const { return window_; }
+
+ private:
+  static std::string glfw_words() {
+    const char* words = nullptr;
+    glfwGetError(&words);
+    return words == nullptr ? "there is no display" : words;
+  }
+
+  GLFWwindow* window_ = nullptr;
+};
+
+/// ImGui's context, fed by the window.
+class Gui {
+ public:
+  explicit Gui(GLFWwindow* window) {
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    set_panel_style();
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+  }
+  ~Gui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+  }
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+
+  void draw(Panel& panel, Controller& controller) {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    panel.draw(controller, ImGui::GetIO().DisplaySize.y);
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  }
+};
+
+int key_of(int glfw_key) {
+  switch (glfw_key) {
+    case GLFW_KEY_ESCAPE:
+      return kEscape;
+    case GLFW_KEY_LEFT:
+      return kLeft;
+    case GLFW_KEY_RIGHT:
+      return kRight;
+    case GLFW_KEY_UP:
+      return kUp;
+    case GLFW_KEY_DOWN:
+      return kDown;
+    case GLFW_KEY_EQUAL:
+    case GLFW_KEY_KP_ADD:
+      return '+';
+    case GLFW_KEY_KP_SUBTRACT:
+      return '-';
+    default:
+      return glfw_key;  // GLFW's numbers for characters are these characters
+  }
+}
+
+/// Where the cursor was when it was heard of last.
+struct Cursor {
+  double x = 0;
+  double y = 0;
+};
+
+/// What the window's callbacks work on.
+struct Input {
+  Controller& controller;
+  Cursor cursor;
+};
+
+Input& input_of(GLFWwindow* window) {
+  return *static_cast<Input*>(glfwGetWindowUserPointer(window));
+}
+
+void on_key(GLFWwindow* window, int key, int, int action, int) {
+  if (action == GLFW_RELEASE || ImGui::GetIO().WantTextInput) return;
+  input_of(window).controller.press(key_of(key), action == GLFW_REPEAT);
+}
+
+void on_scroll(GLFWwindow* window, double, double up) {
+  constexpr float kZoom = 0.9F;
+  if (ImGui::GetIO().WantCaptureMouse) return;
+  input_of(window).controller.camera().zoom(std::pow(kZoom, static_cast<float>(up)));
+}
+
+// With the left button the world turns, with the right one it shifts.
+void on_cursor(GLFWwindow* window, double x, double y) {
+  constexpr float kRadiansPerPixel = 0.006F;
+  Input& input = input_of(window);
+  const Cursor before = std::exchange(input.cursor, {x, y});
+  if (ImGui::GetIO().WantCaptureMouse) return;
+  const auto right = static_cast<float>(x - before.x);
+  const auto down = static_cast<float>(y - before.y);
+  const auto pressed = [&](int button) { return glfwGetMouseButton(window, button) == GLFW_PRESS; };
+  OrbitCamera& camera = input.controller.camera();
+  if (pressed(GLFW_MOUSE_BUTTON_LEFT)) camera.orbit(-kRadiansPerPixel * right, kRadiansPerPixel * down);
+  int height = 1;
+  glfwGetWindowSize(window, nullptr, &height);
+  const float part = 1 / static_cast<float>(std::max(height, 1));
+  if (pressed(GLFW_MOUSE_BUTTON_RIGHT)) camera.pan(right * part, -down * part);
+}
+
+/// A window from its first picture to its last.
+class Viewer {
+ public:
+  Viewer(Simulation& simulation, const ViewSettings& settings)
+      : settings_(settings),
+        simulation_(simulation),
+        window_(settings, "cellsweep: " + simulation.source_name()),
+        controller_(simulation) {
+    glfwSetWindowUserPointer(window_.get(), &input_);
+    glfwSetKeyCallback(window_.get(), on_key);
+    glfwSetScrollCallback(window_.get(), on_scroll);
+    glfwSetCursorPosCallback(window_.get(), on_cursor);
+    gui_ = std::make_unique<Gui>(window_.get());
+    if (!settings.panel) controller_.act(Action::show_panel);
+    if (settings.help) controller_.act(Action::show_help);
+  }
+
+  Status run() { return settings_.screenshot.empty() ? run_shown() : run_hidden(); }
+
+ private:
+  Status run_shown() {
+    for (std::size_t frame = 0; !glfwWindowShouldClose(window_.get()) && !controller_.wants_to_quit();
+         ++frame) {
+      if (settings_.frames && frame == *settings_.frames) break;
+      glfwPollEvents();
+      controller_.tick();
+      if (settings_.frames && !controller_.complaint().empty()) return failure();
+      if (!paint()) continue;
+      canvas_->show();
+      glfwSwapBuffers(window_.get());
+    }
+    return {};
+  }
+
+  // Only the last picture is wanted.
+  Status run_hidden() {
+    for (std::size_t frame = 0; frame < settings_.frames.value_or(0); ++frame) {
+      if (Status status = simulation_.step(); !status.ok()) return status;
+    }
+    // ImGui lays its windows out while it draws them first.
+    for (int time = 0; time < 2; ++time) paint();
+    return report::write_png(canvas_->read(), settings_.screenshot);
+  }
+
+  Status failure() const { return {StatusCode::bad_input, controller_.complaint(), std::nullopt, 0, 0, ""}; }
+
+  /// False for a window without an inside.
+  bool paint() {
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(window_.get(), &width, &height);
+    const int left = controller_.shows_panel() ? kPanelWidth : 0;
+    if (width <= left || height <= 0) {
+      glfwWaitEventsTimeout(0.1);
+      return false;
+    }
+    if (!canvas_ || canvas_->width() != width || canvas_->height() != height)
+      canvas_ = std::make_unique<Canvas>(width, height);
+    painter_.paint(drawn_boxes(simulation_), simulation_.bounds(), controller_.camera(),
+                   canvas_->framebuffer(), {left, 0, width - left, height});
+    gui_->draw(panel_, controller_);
+    return true;
+  }
+
+  const ViewSettings& settings_;
+  Simulation& simulation_;
+  Window window_;
+  Controller controller_;
+  Input input_{controller_, {}};
+  std::unique_ptr<Gui> gui_;
+  Painter painter_;
+  std::unique_ptr<Canvas> canvas_;
+  Panel panel_;
+};
+
+Status check(const char* setting, unsigned value, unsigned least, unsigned most) {
+  if (value >= least && value <= most) return {};
+  return {StatusCode::bad_option,
+          text("The ", setting, " of a window is ", least, " to ", most, ", not ", value, "."),
+          std::nullopt,
+          value,
+          most,
+          setting};
+}
+
+}  // namespace
+
+ViewEnd show(Simulation& simulation, const ViewSettings& settings) {
+  if (Status status = check("width", settings.width, 640, 8192); !status.ok()) return {status, ""};
+  if (Status status = check("height", settings.height, 240, 8192); !status.ok()) return {status, ""};
+  try {
+    return {Viewer(simulation, settings).run(), ""};
+  } catch (const std::runtime_error& error) {
+    return {{}, error.what()};
+  }
+}
+
+}  // namespace cellsweep::view

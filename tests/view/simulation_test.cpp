@@ -1,0 +1,192 @@
+#include "view/simulation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "broadphase/brute_force.h"
+#include "view/drawn_boxes.h"
+
+namespace cellsweep::view {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+// control's map of all possible pairs holds 4,096.
+constexpr std::size_t kMoreThanControlHolds = 5000;
+
+SimulationSettings scene(std::size_t bodies, double moving = 0.5) {
+  return {.recording = nullptr,
+          .scene = {.scene = "paper", .bodies = bodies, .moving = moving},
+          .engine = "stream",
+          .options = {}};
+}
+
+std::unique_ptr<Simulation> made(SimulationSettings settings) {
+  auto simulation = Simulation::make(std::move(settings));
+  EXPECT_TRUE(simulation.ok()) << simulation.status().message;
+  return std::move(*simulation);
+}
+
+void step(Simulation& simulation, int frames) {
+  for (int frame = 0; frame < frames; ++frame) ASSERT_TRUE(simulation.step().ok());
+}
+
+std::vector<Aabb> boxes_of(const FrameSource& source) {
+  return {source.boxes().begin(), source.boxes().end()};
+}
+
+std::size_t right_pairs(const Simulation& simulation) {
+  return brute_force_pairs(simulation.source().boxes()).size();
+}
+
+/// Two boxes that meet in the second of three frames.
+std::shared_ptr<const Recording> meeting() {
+  const Aabb still{{0, 0, 0}, {1, 1, 1}};
+  const Aabb apart{{4, 0, 0}, {5, 1, 1}};
+  const Aabb near{{1, 0, 0}, {2, 1, 1}};
+  return std::make_shared<const Recording>(Recording{
+      "meeting", "boxes", Aabb{{0, 0, 0}, {6, 6, 6}}, 2, {still, apart, still, near, still, apart}});
+}
+
+TEST(Simulation, ShowsTheFramesOfTheScene) {
+  const SimulationSettings settings = scene(50);
+  const auto simulation = made(settings);
+  const auto frames = make_scene_frames(settings.scene);
+  for (int frame = 0; frame < 20; ++frame) {
+    EXPECT_EQ(boxes_of(simulation->source()), boxes_of(**frames));
+    EXPECT_EQ(simulation->source().poses()[7], (*frames)->poses()[7]);
+    step(*simulation, 1);
+    (*frames)->advance();
+  }
+  EXPECT_EQ(simulation->frame(), 20U);
+}
+
+TEST(Simulation, PaintsGreenWhatAnyEngineFindsColliding) {
+  const auto simulation = made(scene(150));
+  for (const EngineInfo& info : engine_table()) {
+    ASSERT_TRUE(simulation->use_engine(info.name).ok()) << info.name;
+    step(*simulation, 3);
+    std::vector<bool> expected(150, false);
+    for (const Pair& pair : brute_force_pairs(simulation->source().boxes()))
+      expected[pair.a] = expected[pair.b] = true;
+    EXPECT_EQ(simulation->colliding(), expected) << info.name;
+    EXPECT_EQ(simulation->engine_name(), info.name);
+    const std::vector<DrawnBox> drawn = drawn_boxes(*simulation);
+    ASSERT_THAT(drawn, SizeIs(150 + 12));
+    for (std::size_t body = 0; body < expected.size(); ++body)
+      EXPECT_EQ(drawn[body].color == WorldColors().colliding, expected[body]) << body;
+  }
+  EXPECT_EQ(simulation->frame(), 3 * engine_table().size());
+}
+
+TEST(Simulation, KeepsEngineBodiesAndFrameWhenAnEngineCannotHoldTheBodies) {
+  const auto simulation = made(scene(kMoreThanControlHolds, 0.01));
+  step(*simulation, 2);
+  const std::vector<Aabb> before = boxes_of(simulation->source());
+  const Status status = simulation->use_engine("control");
+  EXPECT_EQ(status.code, StatusCode::capacity);
+  EXPECT_THAT(status.message, HasSubstr("5000"));
+  EXPECT_EQ(simulation->engine_name(), "stream");
+  EXPECT_EQ(boxes_of(simulation->source()), before);
+  step(*simulation, 1);
+  EXPECT_EQ(simulation->frame(), 3U);
+  EXPECT_EQ(simulation->engine().name(), "stream");
+}
+
+TEST(Simulation, KeepsItsBodiesWhenTheEngineCannotHoldMore) {
+  SimulationSettings settings = scene(40);
+  settings.engine = "control";
+  const auto simulation = made(settings);
+  step(*simulation, 2);
+  EXPECT_EQ(simulation->use_bodies(kMoreThanControlHolds).code, StatusCode::capacity);
+  EXPECT_EQ(simulation->bodies(), 40U);
+  EXPECT_EQ(simulation->frame(), 2U);
+  EXPECT_EQ(simulation->use_bodies(0).code, StatusCode::bad_option);
+  ASSERT_TRUE(simulation->use_bodies(80).ok());
+  EXPECT_EQ(simulation->bodies(), 80U);
+  EXPECT_EQ(simulation->frame(), 0U);
+  EXPECT_EQ(simulation->engine().pairs().size(), right_pairs(*simulation));
+}
+
+TEST(Simulation, LeavesBodiesWhereTheyAreWhenAnotherShareMoves) {
+  const auto simulation = made(scene(100, 0.3));
+  step(*simulation, 10);
+  const std::vector<Aabb> before = boxes_of(simulation->source());
+  ASSERT_TRUE(simulation->use_moving(0.8).ok());
+  EXPECT_EQ(boxes_of(simulation->source()), before);
+  EXPECT_EQ(simulation->frame(), 10U);
+  step(*simulation, 1);
+  EXPECT_THAT(simulation->source().moved(), SizeIs(80));
+  EXPECT_EQ(simulation->engine().pairs().size(), right_pairs(*simulation));
+  ASSERT_TRUE(simulation->use_moving(0).ok());
+  step(*simulation, 1);
+  EXPECT_THAT(simulation->source().moved(), SizeIs(0));
+  EXPECT_EQ(simulation->use_moving(1.5).code, StatusCode::bad_option);
+  EXPECT_EQ(simulation->moving(), 0);
+}
+
+TEST(Simulation, LetsBodiesThatStillMoveKeepTheirCourse) {
+  const auto changed = made(scene(100, 0.3));
+  const auto unchanged = made(scene(100, 0.3));
+  step(*changed, 100);  // some have turned back at a plane
+  step(*unchanged, 100);
+  ASSERT_TRUE(changed->use_moving(0.6).ok());
+  step(*changed, 5);
+  step(*unchanged, 5);
+  ASSERT_THAT(unchanged->source().moved(), SizeIs(30));
+  for (const BodyId id : unchanged->source().moved())
+    EXPECT_EQ(changed->source().boxes()[id], unchanged->source().boxes()[id]) << id;
+}
+
+TEST(Simulation, BeginsARecordingAgainBehindItsLastFrame) {
+  SimulationSettings settings = scene(1);
+  settings.recording = meeting();
+  const auto simulation = made(settings);
+  std::vector<std::size_t> pairs;
+  for (int frame = 0; frame < 7; ++frame) {
+    pairs.push_back(simulation->engine().pairs().size());
+    step(*simulation, 1);
+  }
+  EXPECT_THAT(pairs, testing::ElementsAre(0, 1, 0, 0, 1, 0, 0));
+  EXPECT_EQ(simulation->source_name(), "meeting");
+}
+
+TEST(Simulation, LeavesARecordingsBodiesAlone) {
+  SimulationSettings settings = scene(1);
+  settings.recording = meeting();
+  const auto simulation = made(settings);
+  EXPECT_THAT(simulation->use_bodies(10).message, HasSubstr("recording"));
+  EXPECT_THAT(simulation->use_moving(0.5).message, HasSubstr("recording"));
+  EXPECT_EQ(simulation->bodies(), 2U);
+}
+
+TEST(Simulation, RemembersTheTimesOfTheLatestFramesOfOneEngine) {
+  const auto simulation = made(scene(10));
+  step(*simulation, static_cast<int>(Simulation::kRememberedFrames) + 5);
+  EXPECT_THAT(simulation->frame_times(), SizeIs(Simulation::kRememberedFrames));
+  ASSERT_TRUE(simulation->restart().ok());
+  EXPECT_THAT(simulation->frame_times(), SizeIs(Simulation::kRememberedFrames));
+  ASSERT_TRUE(simulation->use_engine("control").ok());
+  EXPECT_THAT(simulation->frame_times(), SizeIs(0));
+  step(*simulation, 1);
+  ASSERT_TRUE(simulation->use_bodies(11).ok());
+  EXPECT_THAT(simulation->frame_times(), SizeIs(0));
+}
+
+TEST(Simulation, KnowsTheLocalStoreOfEnginesThatHaveOne) {
+  const auto simulation = made(scene(100));
+  for (const EngineInfo& info : engine_table()) {
+    ASSERT_TRUE(simulation->use_engine(info.name).ok());
+    ASSERT_EQ(simulation->local_store().has_value(), info.name.starts_with("cell-")) << info.name;
+    if (!simulation->local_store()) continue;
+    EXPECT_EQ(simulation->local_store()->bodies, 100U);
+    EXPECT_EQ(simulation->local_store()->spus, 3U);
+    EXPECT_GT(simulation->local_store()->used(), 0U);
+  }
+}
+
+}  // namespace
+}  // namespace cellsweep::view
