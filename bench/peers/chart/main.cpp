@@ -1,0 +1,103 @@
+/// @file
+/// Makes tables and charts of what the suite of peers measured.
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/peers/chart/chart_script.h"
+#include "bench/peers/chart/tables.h"
+#include "bench/peers/peer_mode.h"
+#include "report/gnuplot.h"
+#include "report/text_file.h"
+
+namespace {
+
+using namespace cellsweep;
+using namespace cellsweep::bench;
+
+constexpr std::string_view kUsage =
+    "usage: peers-chart [--readme] [FILE.json...]\n"
+    "Reads what ./run bench peers measured (out/peers/peers.json, unless files are named) and writes into\n"
+    "out/peers a chart for each scene (SCENE.png), tables (tables.md) and all times (times.csv).\n"
+    "  --readme   also puts the summary into README.md, and the chart of scene uniform into bench/figures\n";
+
+struct Settings {
+  std::filesystem::path out = "out/peers";
+  std::vector<std::string> files;
+  bool readme = false;
+};
+
+Status read_all(const Settings& settings, PeerResults& results) {
+  for (const std::string& file : settings.files) {
+    const Result<std::string> json = report::read_text_file(file);
+    if (!json) return json.status();
+    if (Status status = add_results(*json, results); !status.ok()) return status;
+  }
+  return {};
+}
+
+Status draw_all(const Settings& settings, const PeerResults& results) {
+  for (std::size_t scene = 0; scene < kPeerScenes.size(); ++scene) {
+    const std::string name(kPeerScenes[scene]);
+    const std::filesystem::path script = settings.out / (name + ".gnuplot");
+    if (Status status = report::write_text_file(script, chart_script(results, scene, name)); !status.ok()) {
+      return status;
+    }
+    if (Status status = report::run_gnuplot(script); !status.ok()) return status;
+  }
+  return {};
+}
+
+Status write_tables(const Settings& settings, const PeerResults& results) {
+  const std::string tables = results.machine + "\n\n" + summary_markdown(results) + "\n" +
+                             cells_markdown(results) + "\n" + tails_markdown(results);
+  std::fputs(tables.c_str(), stdout);
+  if (Status status = report::write_text_file(settings.out / "tables.md", tables); !status.ok())
+    return status;
+  return report::write_text_file(settings.out / "times.csv", times_csv(results));
+}
+
+Status update_readme(const Settings& settings, const PeerResults& results) {
+  Result<std::string> readme = report::read_text_file("README.md");
+  if (!readme) return readme.status();
+  readme = replace_between_marks(*readme, "peers", summary_markdown(results));
+  if (!readme) return readme.status();
+  const Result<std::string> chart = report::read_text_file(settings.out / "uniform.png");
+  if (!chart) return chart.status();
+  if (Status status = report::write_text_file("bench/figures/peers.png", *chart); !status.ok()) return status;
+  return report::write_text_file("README.md", *readme);
+}
+
+Status run(const Settings& settings) {
+  PeerResults results;
+  if (Status status = report::find_gnuplot(); !status.ok()) return status;
+  if (Status status = read_all(settings, results); !status.ok()) return status;
+  if (Status status = report::make_folder(settings.out); !status.ok()) return status;
+  if (Status status = write_tables(settings, results); !status.ok()) return status;
+  if (Status status = draw_all(settings, results); !status.ok()) return status;
+  return settings.readme ? update_readme(settings, results) : Status{};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Settings settings;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    if (argument == "--readme") {
+      settings.readme = true;
+    } else if (argument.starts_with("-")) {
+      std::fputs(kUsage.data(), argument == "--help" ? stdout : stderr);
+      return argument == "--help" ? 0 : 2;
+    } else {
+      settings.files.emplace_back(argument);
+    }
+  }
+  if (settings.files.empty()) settings.files.emplace_back("out/peers/peers.json");
+  const Status status = run(settings);
+  if (status.ok()) return 0;
+  std::fprintf(stderr, "peers-chart: %s\n", status.message.c_str());
+  return 2;
+}

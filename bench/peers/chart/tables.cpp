@@ -1,0 +1,159 @@
+#include "bench/peers/chart/tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+#include "bench/peers/chart/ratios.h"
+#include "bench/peers/peer_mode.h"
+#include "broadphase/text.h"
+
+namespace cellsweep::bench {
+namespace {
+
+// Two digits, and no more where they are before the point: 0.87, 1.3, 24, 130.
+std::string short_number(double number) {
+  std::array<char, 32> digits{};
+  const char* format = number < 1 ? "%.2f" : number < 10 ? "%.1f" : "%.0f";
+  std::snprintf(digits.data(), digits.size(), format, number);
+  return digits.data();
+}
+
+// Three digits with a unit.
+std::string time_text(double seconds) {
+  const std::array<std::pair<double, const char*>, 3> units = {{{1e-6, "µs"}, {1e-3, "ms"}, {1, "s"}}};
+  auto unit = units[0];
+  for (const auto& candidate : units) {
+    if (seconds >= candidate.first) unit = candidate;
+  }
+  const double value = seconds / unit.first;
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(),
+                value < 1     ? "%.3f"
+                : value < 10  ? "%.2f"
+                : value < 100 ? "%.1f"
+                              : "%.0f",
+                value);
+  return text(digits.data(), " ", unit.second);
+}
+
+// 1000000 as 1,000,000.
+std::string count_text(double count) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.0f", count);
+  std::string digits = buffer.data();
+  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, ",");
+  return digits;
+}
+
+std::string summary_cell(const std::vector<CellRatio>& ratios) {
+  const auto summary = summarise(ratios);
+  if (!summary) return "";
+  const CellRatio& smallest = summary->smallest;
+  return text("**", short_number(summary->mean), "**; ", short_number(smallest.ratio()), " (",
+              kPeerScenes[smallest.cell.scene], ", `", smallest.best, "`)");
+}
+
+std::string inexact_lines(const PeerResults& results) {
+  std::map<std::string, std::pair<double, std::size_t>> wrong;
+  for (const auto& [cell, times] : results.cells) {
+    for (const auto& [peer, time] : times) {
+      if (time.exact()) continue;
+      wrong[peer].first += time.missing + time.extra;
+      ++wrong[peer].second;
+    }
+  }
+  std::string lines;
+  for (const auto& [peer, sum] : wrong) {
+    lines += text("\n`", peer, "` was off by ", count_text(sum.first), " pairs in ", sum.second,
+                  " cells, in which it does not count.\n");
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string summary_markdown(const PeerResults& results) {
+  const std::vector<CellRatio> all = ratios_of(results);
+  std::map<std::size_t, std::map<std::size_t, std::vector<CellRatio>>> by_bodies;
+  for (const CellRatio& ratio : all) by_bodies[ratio.cell.bodies][ratio.cell.mode].push_back(ratio);
+  std::string table = "| bodies |";
+  std::string rule = "|--:|";
+  for (const PeerModeInfo& mode : kPeerModes) {
+    table += text(" ", mode.title, " |");
+    rule += "---|";
+  }
+  table += "\n" + rule + "\n";
+  for (auto& [bodies, by_mode] : by_bodies) {
+    table += text("| ", count_text(static_cast<double>(bodies)), " |");
+    for (std::size_t mode = 0; mode < kPeerModes.size(); ++mode) {
+      table += text(" ", summary_cell(by_mode[mode]), " |");
+    }
+    table += "\n";
+  }
+  if (const auto summary = summarise(all)) {
+    std::size_t twice = 0;
+    for (const CellRatio& ratio : all) twice += ratio.ratio() >= 2 ? 1 : 0;
+    table += text("\nGeometric mean of all ", all.size(), " cells: ", short_number(summary->mean), "; ",
+                  twice, " of them are 2 or more.\n");
+  }
+  return table + inexact_lines(results);
+}
+
+std::string cells_markdown(const PeerResults& results) {
+  std::string table =
+      "| scene | bodies | mode | pairs | `stream` | best other | its time | ratio | `stream` / memory |\n"
+      "|---|--:|---|--:|--:|---|--:|--:|--:|\n";
+  for (const CellRatio& ratio : ratios_of(results)) {
+    table += text(
+        "| ", kPeerScenes[ratio.cell.scene], " | ", count_text(static_cast<double>(ratio.cell.bodies)), " | ",
+        kPeerModes[ratio.cell.mode].title, " | ", count_text(ratio.pairs), " | ", time_text(ratio.stream),
+        " | `", ratio.best, "` | ", time_text(ratio.best_seconds), " | ", short_number(ratio.ratio()), " | ",
+        ratio.memory > 0 ? short_number(ratio.over_memory()) : std::string(), " |\n");
+  }
+  return table;
+}
+
+std::string tails_markdown(const PeerResults& results) {
+  if (results.tails.empty()) return "";
+  std::vector<Tail> tails = results.tails;
+  std::sort(tails.begin(), tails.end(), [](const Tail& a, const Tail& b) { return a.cell < b.cell; });
+  std::string table = "| 10 % move | median | 99th percentile / median | frames |\n|---|--:|--:|--:|\n";
+  for (const Tail& tail : tails) {
+    table += text("| ", kPeerScenes[tail.cell.scene], ", ", count_text(static_cast<double>(tail.cell.bodies)),
+                  " | ", time_text(tail.median_seconds), " | ", short_number(tail.p99_over_median), " | ",
+                  count_text(tail.frames), " |\n");
+  }
+  return table;
+}
+
+std::string times_csv(const PeerResults& results) {
+  std::string csv = text("# ", results.machine, "\n",
+                         "scene,bodies,mode,peer,seconds,spread,pairs,missing,extra,over_stream\n");
+  for (const auto& [cell, times] : results.cells) {
+    const auto stream = times.find("stream");
+    for (const auto& [peer, time] : times) {
+      csv += text(kPeerScenes[cell.scene], ",", cell.bodies, ",", kPeerModes[cell.mode].name, ",", peer, ",",
+                  time.seconds, ",", time.spread, ",", time.pairs, ",", time.missing, ",", time.extra, ",");
+      if (stream != times.end()) csv += text(time.seconds / stream->second.seconds);
+      csv += "\n";
+    }
+  }
+  return csv;
+}
+
+Result<std::string> replace_between_marks(std::string text_in, const std::string& name,
+                                          const std::string& content) {
+  const std::string begin = "<!-- " + name + ": begin -->\n";
+  const std::size_t start = text_in.find(begin);
+  const std::size_t end = text_in.find("<!-- " + name + ": end -->");
+  if (start == std::string::npos || end == std::string::npos || end < start) {
+    return Status{StatusCode::bad_input, "There is no place for '" + name + "'.", {}, 0, 0, {}};
+  }
+  const std::size_t from = start + begin.size();
+  return text_in.replace(from, end - from, content);
+}
+
+}  // namespace cellsweep::bench

@@ -1,0 +1,52 @@
+/// @file
+/// The program of the suite of peers: Google Benchmark's options and, by default, up to 100,000 bodies, three
+/// repetitions in which the rows take turns, median and spread, also in out/peers/peers.json. `--notes`
+/// prints how to read the rows.
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "bench/context.h"
+#include "bench/peers/peer_suite.h"
+#include "bench/peers/peer_table.h"
+#include "bench/peers/tail_suite.h"
+
+namespace {
+
+// Options given later win, so defaults go in front of the caller's.
+std::vector<char*> with_defaults(int argc, char** argv) {
+  static std::vector<std::string> defaults = {
+      "--benchmark_repetitions=3", "--benchmark_report_aggregates_only=true",
+      "--benchmark_enable_random_interleaving=true", "--benchmark_filter=/(1000|10000|100000)/",
+      "--benchmark_out=out/peers/peers.json"};
+  std::vector<char*> arguments = {argv[0]};
+  for (std::string& option : defaults) arguments.push_back(option.data());
+  arguments.insert(arguments.end(), argv + 1, argv + argc);
+  return arguments;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "--notes") {
+    std::fputs(cellsweep::bench::peer_notes().c_str(), stdout);
+    return 0;
+  }
+  std::error_code ignored;  // Google Benchmark says when it cannot write there
+  std::filesystem::create_directories("out/peers", ignored);
+  std::vector<char*> arguments = with_defaults(argc, argv);
+  int count = static_cast<int>(arguments.size());
+  cellsweep::bench::add_context();
+  cellsweep::bench::register_peer_suite();
+  cellsweep::bench::register_tail_suite();
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

@@ -1,0 +1,63 @@
+/// @file
+/// One broadphase behind the face that the suite of peers measures them all by.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "cellsweep/aabb.h"
+#include "cellsweep/pair.h"
+
+namespace cellsweep::bench {
+
+/// What a peer may know before the clock starts.
+struct Stage {
+  Aabb world;                   ///< no body ever leaves it
+  std::span<const Aabb> boxes;  ///< the boxes of frame 0, by id
+};
+
+/// A broadphase, and what its user has to do to get from boxes to pairs. One thread calls it; it may have
+/// more of its own. The clock runs in insert(), update() and list_pairs(). Nothing is reported as an error:
+/// the suite compares the pairs with the oracle's.
+class Peer {
+ public:
+  virtual ~Peer() = default;
+
+  /// Before insert(), not timed: devices, threads, the user's own objects that are no part of the broadphase.
+  virtual void prepare(const Stage&) {}
+
+  /// Enters all bodies and finds their pairs. The boxes stay there, and are current, as long as the peer
+  /// lives.
+  virtual void insert(std::span<const Aabb> boxes) = 0;
+
+  /// Takes the new boxes of the bodies `moved` and finds the pairs of all.
+  virtual void update(std::span<const Aabb> boxes, std::span<const BodyId> moved) = 0;
+
+  /// Writes the pairs of the last insert() or update() into a list of the caller's, over what is in it:
+  /// exactly those whose closed boxes overlap, each once, in any order.
+  virtual void list_pairs(std::vector<Pair>& pairs) = 0;
+};
+
+/// One row of the table of peers: how to make one, and what its times must be read with. The texts are
+/// literals.
+struct PeerInfo {
+  std::string_view name;
+  std::string_view threads;
+  std::string_view margin;      ///< what is added to the boxes by default or by choice
+  std::string_view settings;    ///< how it is built and called
+  std::string_view exactness;   ///< what it finds beyond the pairs, and who drops that
+  std::size_t most_bodies = 0;  ///< more would take minutes, or does not fit
+  /// False for one that starts anew in each frame: it has no row for a frame in which it is told that
+  /// nothing moved, since its user would keep the pairs.
+  bool remembers = true;
+  bool finds_pairs = true;  ///< false for the limit that memory sets
+  std::function<std::unique_ptr<Peer>()> make{};
+};
+
+inline constexpr std::size_t kAnyNumber = 100'000'000;
+
+}  // namespace cellsweep::bench

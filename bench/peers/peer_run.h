@@ -1,0 +1,55 @@
+/// @file
+/// Runs a peer through the frames of a scene, with a clock on what it does.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/peers/peer.h"
+#include "bench/peers/peer_mode.h"
+#include "cellsweep/frame_source.h"
+
+namespace cellsweep::bench {
+
+/// What a row runs. Its scene has seed 1.
+struct PeerSetting {
+  std::string scene;
+  std::size_t bodies = 0;
+  PeerMode mode = PeerMode::initial;
+};
+
+const PeerModeInfo& info_of(PeerMode mode);
+
+/// How many timed frames a row of this setting has.
+std::size_t frames_of(const PeerSetting& setting);
+
+/// A peer on its way through a scene. Frame 0, for all modes but `initial`, is not among those timed.
+class PeerRun {
+ public:
+  PeerRun(const PeerInfo& info, const PeerSetting& setting);
+
+  /// Seconds from the new boxes to the list of pairs, of the next frame. The scene moves on before, outside
+  /// of the clock, and with `initial` a new peer is made.
+  double next_frame();
+
+  std::span<const Aabb> boxes() const { return source_->boxes(); }
+  const std::vector<Pair>& pairs() const { return pairs_; }
+
+ private:
+  void make_peer();
+  double insert_all();
+  double update(std::span<const BodyId> moved);
+
+  const PeerInfo* info_;
+  PeerSetting setting_;
+  std::unique_ptr<FrameSource> source_;
+  std::vector<BodyId> all_;
+  std::unique_ptr<Peer> peer_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace cellsweep::bench

@@ -1,0 +1,145 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bench/peers/chart/chart_script.h"
+#include "bench/peers/chart/ratios.h"
+#include "bench/peers/chart/tables.h"
+
+namespace cellsweep::bench {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+// A row as Google Benchmark writes it, of one repetition or of several.
+std::string row(const std::string& name, double time, const std::string& more = "",
+                const std::string& aggregate = "") {
+  const std::string kind = aggregate.empty()
+                               ? R"("run_type": "iteration")"
+                               : R"("run_type": "aggregate", "aggregate_name": ")" + aggregate + "\"";
+  return R"({"run_name": ")" + name + R"(/iterations:1/manual_time", )" + kind +
+         R"(, "time_unit": "us", "real_time": )" + std::to_string(time) + more + "},\n";
+}
+
+std::string file(std::string rows) {
+  rows.erase(rows.find_last_of(','));
+  return R"({"context": {"cpu": "a Cell", "cores": "9"}, "benchmarks": [)" + rows + "]}";
+}
+
+PeerResults results_of(const std::string& rows) {
+  PeerResults results;
+  const Status status = add_results(file(rows), results);
+  EXPECT_TRUE(status.ok()) << status.message;
+  return results;
+}
+
+constexpr CellKey kUniform1000Initial{0, 1000, 0};
+
+std::string two_cells() {
+  return row("peers/memory/uniform/1000/initial", 5) + row("peers/stream/uniform/1000/initial", 10) +
+         row("peers/stream_1/uniform/1000/initial", 1) + row("peers/slow/uniform/1000/initial", 80) +
+         row("peers/quick/uniform/1000/initial", 40) +
+         row("peers/wrong/uniform/1000/initial", 20, R"(, "missing": 3)") +
+         row("peers/stream/wall/1000/initial", 100) + row("peers/slow/wall/1000/initial", 900);
+}
+
+TEST(PeerResults, TakeMedianAndSpreadOfRepetitions) {
+  const std::string name = "peers/stream/uniform/1000/initial";
+  const PeerResults results =
+      results_of(row(name, 12, R"(, "pairs": 7)", "mean") + row(name, 10, R"(, "pairs": 7)", "median") +
+                 row(name, 0.25, "", "cv"));
+  const PeerTime& time = results.cells.at(kUniform1000Initial).at("stream");
+  EXPECT_DOUBLE_EQ(time.seconds, 10e-6);
+  EXPECT_DOUBLE_EQ(time.spread, 0.25);
+  EXPECT_DOUBLE_EQ(time.pairs, 7);
+  EXPECT_THAT(results.machine, HasSubstr("a Cell, 9 cores"));
+}
+
+TEST(PeerResults, PutUpWithTheSpreadOfCountersThatAreZero) {
+  const std::string name = "peers/stream/uniform/1000/initial";
+  const PeerResults results =
+      results_of(row(name, 10, "", "median") +
+                 row(name, 0.5, ", \"extra\": NaN,\n \"missing\": -NaN,\n \"pairs\": 0", "cv"));
+  EXPECT_DOUBLE_EQ(results.cells.at(kUniform1000Initial).at("stream").spread, 0.5);
+}
+
+TEST(PeerResults, TakeSingleRunsWhereThereAreNoRepetitions) {
+  const PeerResults results = results_of(two_cells());
+  EXPECT_DOUBLE_EQ(results.cells.at(kUniform1000Initial).at("quick").seconds, 40e-6);
+  EXPECT_THAT(results.peers, ElementsAre("memory", "stream", "stream_1", "slow", "quick", "wrong"));
+}
+
+TEST(PeerResults, KeepWhatAnEarlierFileSaid) {
+  PeerResults results = results_of(row("peers/stream/uniform/1000/initial", 10));
+  const std::string later =
+      file(row("peers/stream/uniform/1000/initial", 99) + row("peers/stream/uniform/1000000/initial", 30));
+  ASSERT_TRUE(add_results(later, results).ok());
+  EXPECT_DOUBLE_EQ(results.cells.at(kUniform1000Initial).at("stream").seconds, 10e-6);
+  EXPECT_EQ(results.cells.size(), 2U);
+}
+
+TEST(PeerResults, AreNotReadFromAnythingElse) {
+  PeerResults results;
+  EXPECT_FALSE(add_results("peers/stream", results).ok());
+  EXPECT_FALSE(add_results("{}", results).ok());
+  EXPECT_FALSE(add_results(R"({"benchmarks": [7]})", results).ok());
+  EXPECT_FALSE(add_results(R"({"benchmarks": [{"run_name": 7}]})", results).ok());
+  EXPECT_TRUE(add_results(file(row("engine/stream/uniform/1000/initial", 1)), results).ok());
+  EXPECT_TRUE(results.cells.empty());
+}
+
+TEST(PeerRatios, CompareStreamWithTheFastestExactOther) {
+  const std::vector<CellRatio> ratios = ratios_of(results_of(two_cells()));
+  ASSERT_EQ(ratios.size(), 2U);
+  EXPECT_EQ(ratios[0].best, "quick");
+  EXPECT_DOUBLE_EQ(ratios[0].ratio(), 4);
+  EXPECT_DOUBLE_EQ(ratios[0].over_memory(), 2);
+  EXPECT_EQ(ratios[1].best, "slow");
+  EXPECT_DOUBLE_EQ(ratios[1].ratio(), 9);
+  EXPECT_DOUBLE_EQ(summarise(ratios)->mean, 6);
+  EXPECT_DOUBLE_EQ(summarise(ratios)->smallest.ratio(), 4);
+  EXPECT_FALSE(summarise({}).has_value());
+}
+
+TEST(PeerTables, SayTheMeanTheSmallestRatioAndWhoWasNotExact) {
+  const std::string table = summary_markdown(results_of(two_cells()));
+  EXPECT_THAT(table, HasSubstr("| 1,000 | **6.0**; 4.0 (uniform, `quick`) |"));
+  EXPECT_THAT(table, HasSubstr("all 2 cells: 6.0; 2 of them are 2 or more"));
+  EXPECT_THAT(table, HasSubstr("`wrong` was off by 3 pairs in 1 cells"));
+}
+
+TEST(PeerTables, HaveARowForEachCell) {
+  const std::string table = cells_markdown(results_of(two_cells()));
+  EXPECT_THAT(table,
+              HasSubstr("| uniform | 1,000 | all new | 0 | 10.0 µs | `quick` | 40.0 µs | 4.0 | 2.0 |"));
+  EXPECT_THAT(table, HasSubstr("| wall | 1,000 | all new | 0 | 100 µs | `slow` | 900 µs | 9.0 |  |"));
+  EXPECT_THAT(times_csv(results_of(two_cells())), HasSubstr("uniform,1000,initial,wrong,"));
+}
+
+TEST(PeerTables, ShowHowEvenTheFramesAre) {
+  EXPECT_EQ(tails_markdown({}), "");
+  const std::string name = "p99/stream/wall/10000/dyn10";
+  EXPECT_THAT(tails_markdown(results_of(row(name, 250, R"(, "p99/median": 1.5, "frames": 990)"))),
+              HasSubstr("| wall, 10,000 | 250 µs | 1.5 | 990 |"));
+}
+
+TEST(PeerTables, StandBetweenTheirMarks) {
+  const std::string text = "before\n<!-- x: begin -->\nold\n<!-- x: end -->\nafter\n";
+  EXPECT_EQ(*replace_between_marks(text, "x", "new\n"),
+            "before\n<!-- x: begin -->\nnew\n<!-- x: end -->\nafter\n");
+  EXPECT_FALSE(replace_between_marks(text, "y", "new\n").ok());
+}
+
+TEST(PeerChart, DrawsEveryExactPeerOfTheSceneOnce) {
+  const std::string script = chart_script(results_of(two_cells()), 0, "uniform");
+  EXPECT_THAT(script, HasSubstr("set output 'uniform.png'"));
+  EXPECT_THAT(script, HasSubstr("1000 4e-05\n"));  // `quick`, in seconds
+  EXPECT_THAT(script, HasSubstr("title 'memory''s limit'"));
+  EXPECT_THAT(script, HasSubstr("scene uniform"));
+  EXPECT_THAT(script, Not(HasSubstr("title 'stream 1'")));
+  EXPECT_THAT(script, Not(HasSubstr("9.0")));  // of scene wall
+}
+
+}  // namespace
+}  // namespace cellsweep::bench

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "bench/peers/peer_check.h"
+#include "bench/peers/peer_table.h"
+#include "contract/effort.h"
+
+namespace cellsweep::bench {
+namespace {
+
+TEST(Peers, HaveNamesOfTheirOwnThatFitIntoARowsName) {
+  std::set<std::string_view> names;
+  for (const PeerInfo& peer : peer_table()) {
+    EXPECT_TRUE(names.insert(peer.name).second) << peer.name;
+    EXPECT_EQ(peer.name.find('/'), std::string_view::npos) << peer.name;
+    EXPECT_FALSE(peer.threads.empty() || peer.margin.empty() || peer.settings.empty()) << peer.name;
+  }
+  EXPECT_TRUE(names.contains("stream"));
+  EXPECT_TRUE(names.contains("box_pruning"));
+}
+
+TEST(Peers, FindExactlyThePairsInEverySceneAndMode) {
+  const std::size_t bodies = contract::effort(300, 60, 60);
+  const std::size_t frames = contract::effort(4, 2, 2);
+  for (const PeerInfo& peer : peer_table()) {
+    if (!peer.finds_pairs) continue;
+    for (const std::string_view scene : kPeerScenes) {
+      for (const PeerModeInfo& mode : kPeerModes) {
+        const Mismatch mismatch = check_peer(peer, {std::string(scene), bodies, mode.mode}, frames);
+        EXPECT_TRUE(mismatch.none()) << peer.name << ", " << scene << ", " << mode.name << ": "
+                                     << describe(mismatch);
+      }
+    }
+  }
+}
+
+/// Leaves out one pair and lists another twice.
+class WrongPeer final : public Peer {
+ public:
+  void insert(std::span<const Aabb> boxes) override { boxes_ = boxes; }
+  void update(std::span<const Aabb>, std::span<const BodyId>) override {}
+  void list_pairs(std::vector<Pair>& pairs) override {
+    pairs.clear();
+    for (BodyId a = 0; a < boxes_.size(); ++a) {
+      for (BodyId b = a + 1; b < boxes_.size(); ++b) {
+        if (overlap(boxes_[a], boxes_[b])) pairs.push_back({b, a});
+      }
+    }
+    pairs.front() = pairs.back();
+  }
+
+ private:
+  std::span<const Aabb> boxes_;
+};
+
+TEST(PeerCheck, CountsWhatIsMissingAndWhatIsListedTwice) {
+  PeerInfo info;
+  info.make = [] { return std::make_unique<WrongPeer>(); };
+  const Mismatch mismatch = check_peer(info, {"uniform", 100, PeerMode::initial}, 3);
+  EXPECT_EQ(mismatch.missing, 3U);
+  EXPECT_EQ(mismatch.extra, 3U);
+  EXPECT_EQ(describe(mismatch), "3 pairs missing, 3 too many");
+}
+
+TEST(PeerCheck, SumsUpTheOraclesPairs) {
+  const std::vector<Aabb> boxes(4, Aabb{{0, 0, 0}, {1, 1, 1}});
+  const PairSum sum = oracle_sum({"uniform", 4, PeerMode::dyn10}, 1, boxes);
+  EXPECT_EQ(sum.pairs, 6U);
+  EXPECT_EQ(sum, oracle_sum({"uniform", 4, PeerMode::dyn10}, 1, boxes));
+  EXPECT_NE(sum, oracle_sum({"uniform", 4, PeerMode::dyn10}, 2, std::span(boxes).first(3)));
+}
+
+TEST(PeerRun, MovesAsManyBodiesAsTheModeSays) {
+  PeerInfo info = peer_table().front();
+  const PeerSetting setting{"uniform", 200, PeerMode::dyn10};
+  PeerRun run(info, setting);
+  const std::vector<Aabb> before(run.boxes().begin(), run.boxes().end());
+  EXPECT_GE(run.next_frame(), 0);
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) moved += before[i] == run.boxes()[i] ? 0 : 1;
+  EXPECT_EQ(moved, 20U);
+}
+
+}  // namespace
+}  // namespace cellsweep::bench
