@@ -4,6 +4,8 @@
 #include "engines/cell/ppu/brute.h"
 #include "engines/cell/ppu/paper.h"
 #include "engines/cell/ppu/resident.h"
+#include "engines/cell/ppu/stream_spes.h"
+#include "engines/stream/stream.h"
 
 namespace cellsweep {
 
@@ -43,6 +45,14 @@ Result<LocalStoreMap> cell_resident_map(const EngineOptions& options, std::uint6
   if (!emulation) return emulation.status();
   const auto buffers = [&](std::uint64_t count) { return cell::resident_buffers(options, count); };
   return cell::make_local_store_map("cell-resident", (*emulation)->local_store(), buffers, bodies);
+}
+
+Result<std::unique_ptr<Broadphase>> make_stream_on_spes(const EngineOptions& options) {
+  auto emulation = cell::make_emulation(options);
+  if (!emulation) return emulation.status();
+  auto spes = cell::StreamSpes::make(options, std::move(*emulation));
+  if (!spes) return spes.status();
+  return make_stream(options, std::move(*spes));
 }
 
 }  // namespace cellsweep
