@@ -51,6 +51,13 @@ std::vector<Setting> settings_of(std::string_view engine) {
   return settings;
 }
 
+/// On its own vectors, and through local stores: what that discipline costs.
+std::vector<Setting> settings_of_stream() {
+  Setting isa = with("on_spes_isa", &EngineOptions::on_spes, true);
+  isa.options.spe_engine = SpeEngine::isa;
+  return {{"default", {}}, with("on_spes", &EngineOptions::on_spes, true), isa};
+}
+
 // Settings that an engine refuses, and sizes beyond its capacity, have no row.
 void register_rows(const std::string& engine, const Setting& setting) {
   const auto sample = make_engine(engine, setting.options);
@@ -69,6 +76,9 @@ void register_rows(const std::string& engine, const Setting& setting) {
 
 void register_cell_suite() {
   for (const EngineInfo& engine : engine_table()) {
+    if (engine.name == "stream") {
+      for (const Setting& setting : settings_of_stream()) register_rows("stream", setting);
+    }
     if (!engine.name.starts_with("cell-")) continue;
     for (const Setting& setting : settings_of(engine.name)) register_rows(std::string(engine.name), setting);
   }

@@ -6,7 +6,8 @@
 namespace cellsweep::bench {
 
 /// Registers rows `cell/ENGINE/SETTING/N/MODE` of scene `paper`, each with one setting that is not the
-/// default, and `cell/ENGINE/default/N/MODE` to compare with.
+/// default, and `cell/ENGINE/default/N/MODE` to compare with; of engine `stream` only where its cells are
+/// compared.
 void register_cell_suite();
 
 }  // namespace cellsweep::bench

@@ -46,6 +46,16 @@ struct EngineOptions {
   /// stream: the instruction set of its kernels.
   VectorIsa isa = VectorIsa::best;
 
+  /// stream: the most pairs that there may be; 0 for no limit. An update() that finds more stops there and
+  /// returns StatusCode::capacity: the pairs of the update before stay, bodies keep the boxes they were
+  /// given, and the next update() starts anew. It depends on the pairs alone, not on threads, whether one is
+  /// refused.
+  std::uint64_t max_pairs = 0;
+
+  /// stream: find pairs on SPEs: the cells, in pieces, go through their local stores by DMA, and the settings
+  /// of the Cell engines below hold. Bodies that leave their hulls make it find everything anew.
+  bool on_spes = false;
+
   /// control: run listing 4.5 to the letter: an overlap test that misses a box inside another, and an order
   /// by value only that misses touches. Not exact; there to count what it misses.
   ///

@@ -29,6 +29,12 @@ void EngineFlags::add_to(CLI::App& command, std::string only) {
       ->transform(CLI::CheckedTransformer(kIsas, CLI::ignore_case).description(""))
       ->type_name("NAME")
       ->default_str("best");
+  command
+      .add_option("--max-pairs", options_.max_pairs,
+                  "stream: an update that finds more pairs is refused; 0: no limit")
+      ->capture_default_str();
+  command.add_flag("--on-spes", options_.on_spes,
+                   "stream: its cells go through the local stores of SPEs; flags of the Cell engines hold");
   command.add_flag("--literal", options_.literal,
                    "control, cell-paper: the document's logic to the letter, misses and all (not exact)");
   command

@@ -29,6 +29,20 @@ struct Entry {
   MapMaker map = nullptr;  // of engines that have a local store
 };
 
+Result<std::unique_ptr<Broadphase>> make_stream_anywhere(const EngineOptions& options) {
+  if (!options.on_spes) return make_stream(options);
+#ifdef CELLSWEEP_CELL_ENGINES
+  return make_stream_on_spes(options);
+#else
+  return Status{StatusCode::bad_option,
+                "on_spes is set, but this build has no SPEs and no emulation of them.",
+                std::nullopt,
+                1,
+                0,
+                "on_spes"};
+#endif
+}
+
 constexpr std::array kEntries = {
     Entry{{"control",
            "the document's x86 sweep and prune: three insertion-sorted axes, a map of all possible pairs"},
@@ -49,7 +63,7 @@ constexpr std::array kEntries = {
 #endif
     Entry{{"stream",
            "worlds of any size and density: cells within cells, wide vectors, threads; cost follows change"},
-          make_stream},
+          make_stream_anywhere},
 #ifdef CELLSWEEP_EMBREE
     Entry{{"embree", "for comparison: a ray tracer's tree over all boxes, built anew and run against itself"},
           make_embree},

@@ -51,6 +51,12 @@ void add_cell_options(std::vector<ContractEngine>& engines) {
   engines.push_back({"cell-paper", late_method_2, "cell_paper_with_method_2_and_late_dma_lists"});
   engines.push_back({"cell-brute", late_five_spus, "cell_brute_with_late_dma_and_five_spus"});
   engines.push_back({"cell-resident", late, "cell_resident_with_late_dma"});
+#if !defined(CELLSWEEP_SANITIZED_TESTS)
+  EngineOptions stream_late = late;
+  stream_late.on_spes = true;
+  stream_late.spus = 2;
+  engines.push_back({"stream", stream_late, "stream_on_two_spes_with_late_dma"});
+#endif
   late_five_spus.spu_boxes = true;
   engines.push_back({"cell-resident", late_five_spus, "cell_resident_with_late_dma_five_spus_and_spu_boxes"});
 }
@@ -70,6 +76,10 @@ void add_isa_engines([[maybe_unused]] std::vector<ContractEngine>& engines) {
   engines.push_back({"cell-paper", late, "cell_paper_on_isa_with_late_dma"});
   engines.push_back({"cell-brute", isa, "cell_brute_on_isa"});
   engines.push_back({"cell-resident", isa, "cell_resident_on_isa"});
+  EngineOptions stream_isa = isa;
+  stream_isa.on_spes = true;
+  stream_isa.spus = 1;
+  engines.push_back({"stream", stream_isa, "stream_on_isa"});
   engines.push_back(
       {"cell-resident", late_boxes, "cell_resident_on_isa_with_late_dma_five_spus_and_spu_boxes"});
 #endif

@@ -5,6 +5,8 @@
 #include "engines/cell/ppu/layout.h"
 #include "engines/cell/ppu/paper.h"
 #include "engines/cell/ppu/resident.h"
+#include "engines/cell/ppu/stream_spes.h"
+#include "engines/stream/stream.h"
 
 namespace cellsweep {
 namespace {
@@ -53,6 +55,14 @@ Result<std::unique_ptr<Broadphase>> make_cell_resident(const EngineOptions& opti
 Result<LocalStoreMap> cell_resident_map(const EngineOptions& options, std::uint64_t bodies) {
   const auto buffers = [&](std::uint64_t count) { return cell::resident_buffers(options, count); };
   return map_of("cell-resident", options, buffers, bodies, options.spus);
+}
+
+Result<std::unique_ptr<Broadphase>> make_stream_on_spes(const EngineOptions& options) {
+  auto emulation = cell::make_emulation(options);
+  if (!emulation) return emulation.status();
+  auto spes = cell::StreamSpes::make(options, std::move(*emulation));
+  if (!spes) return spes.status();
+  return make_stream(options, std::move(*spes));
 }
 
 }  // namespace cellsweep

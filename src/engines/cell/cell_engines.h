@@ -16,6 +16,9 @@ Result<std::unique_ptr<Broadphase>> make_cell_paper(const EngineOptions& options
 Result<std::unique_ptr<Broadphase>> make_cell_brute(const EngineOptions& options);
 Result<std::unique_ptr<Broadphase>> make_cell_resident(const EngineOptions& options);
 
+/// `stream` with its pairs found on SPEs (EngineOptions::on_spes).
+Result<std::unique_ptr<Broadphase>> make_stream_on_spes(const EngineOptions& options);
+
 /// Layouts for so many bodies. Errors: bad_option.
 Result<LocalStoreMap> cell_paper_map(const EngineOptions& options, std::uint64_t bodies);
 Result<LocalStoreMap> cell_brute_map(const EngineOptions& options, std::uint64_t bodies);

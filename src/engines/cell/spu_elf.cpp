@@ -1,8 +1,9 @@
 #include "engines/cell/spu_elf.h"
 
-extern "C" spe_program_handle_t cell_paper_spu, cell_brute_spu, cell_resident_spu;
+extern "C" spe_program_handle_t cell_paper_spu, cell_brute_spu, cell_resident_spu, cell_stream_spu;
 #if defined(SPU_EMU_HAS_ELF)
-extern "C" spe_program_handle_t cell_paper_spu_elf, cell_brute_spu_elf, cell_resident_spu_elf;
+extern "C" spe_program_handle_t cell_paper_spu_elf, cell_brute_spu_elf, cell_resident_spu_elf,
+    cell_stream_spu_elf;
 #endif
 
 namespace cellsweep::cell {
@@ -30,6 +31,7 @@ spe_program_handle_t* spu_elf_of([[maybe_unused]] spe_program_handle_t& program)
   if (&program == &cell_paper_spu) return &cell_paper_spu_elf;
   if (&program == &cell_brute_spu) return &cell_brute_spu_elf;
   if (&program == &cell_resident_spu) return &cell_resident_spu_elf;
+  if (&program == &cell_stream_spu) return &cell_stream_spu_elf;
 #endif
   return nullptr;
 }

@@ -1,12 +1,6 @@
 #include "engines/stream/arena.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <new>
-
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
 
 namespace cellsweep::stream {
 namespace {
@@ -20,22 +14,7 @@ std::size_t round_up(std::size_t bytes, std::size_t unit) {
   return (bytes + unit - 1) / unit * unit;
 }
 
-// Large chunks ask for huge pages: a page fault costs as much as some hundred bodies.
-std::byte* get_memory(std::size_t size) {
-  const std::size_t alignment = size >= kHugePage ? kHugePage : kAlignment;
-  auto* memory = static_cast<std::byte*>(std::aligned_alloc(alignment, size));
-  if (memory == nullptr) throw std::bad_alloc();
-#ifdef __linux__
-  if (size >= kHugePage) madvise(memory, size, MADV_HUGEPAGE);
-#endif
-  return memory;
-}
-
 }  // namespace
-
-void Arena::Free::operator()(std::byte* memory) const {
-  std::free(memory);
-}
 
 void* Arena::take_bytes(std::size_t bytes) {
   bytes = round_up(bytes, kAlignment);
@@ -57,7 +36,7 @@ void* Arena::take_from_next_chunk(std::size_t bytes) {
   if (current_ == chunks_.size()) {
     std::size_t size = std::max(bytes, std::clamp(bytes_, kFirstChunk, kLargestStep));
     size = round_up(size, size >= kHugePage ? kHugePage : kAlignment);
-    chunks_.push_back({std::unique_ptr<std::byte, Free>(get_memory(size)), size});
+    chunks_.push_back({Memory<std::byte>(take_memory(size)), size});
     bytes_ += size;
   }
   used_ = bytes;

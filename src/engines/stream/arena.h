@@ -4,8 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
+
+#include "engines/stream/memory.h"
 
 namespace cellsweep::stream {
 
@@ -37,11 +38,8 @@ class Arena {
   std::size_t bytes() const { return bytes_; }
 
  private:
-  struct Free {
-    void operator()(std::byte* memory) const;
-  };
   struct Chunk {
-    std::unique_ptr<std::byte, Free> memory;
+    Memory<std::byte> memory;
     std::size_t size = 0;
   };
 

@@ -10,13 +10,16 @@
 #include "cellsweep/broadphase.h"
 #include "engines/stream/cell_tree.h"
 #include "engines/stream/id_table.h"
+#include "engines/stream/memory.h"
+#include "engines/stream/move_check.h"
 #include "engines/stream/pool.h"
 
 namespace cellsweep::stream {
 
 /// Every body has two boxes: its own, and a hull around it in which it may move about. Hulls are what the
 /// cells hold; while a body stays inside of its hull, no cell changes. A hull is the box itself until the
-/// body moves, and from then on covers where it would be some updates later if it kept its course.
+/// body moves, and from then on covers where it would be some updates later if it kept its course. A call
+/// that runs out of memory changes nothing.
 class BodyStore {
  public:
   /// The input calls of Broadphase. Boxes that are given again as they are change nothing.
@@ -43,6 +46,9 @@ class BodyStore {
   /// Some hull may be larger than its box.
   bool has_slack() const { return slack_; }
 
+  /// Every hull is its box again; for a new start.
+  void drop_hulls();
+
   /// Before hulls() is read for a new start: numbers slots anew where many are free.
   void tidy();
 
@@ -51,47 +57,46 @@ class BodyStore {
 
   /// By slot; NaN where there is no body.
   std::span<const Aabb> boxes() const { return boxes_; }
-  Boxes hulls() const { return {hulls_.data(), nullptr, hulls_.size()}; }
+  Boxes hulls() const { return {hull_data(), nullptr, boxes_.size()}; }
   const IdTable& table() const { return table_; }
+
+  /// By slot: equal to stamp() when the box has changed since settle().
+  const std::uint8_t* stamps() const { return stamps_.data(); }
+  std::uint8_t stamp() const { return stamp_; }
+  /// At most so many boxes have changed since settle().
+  std::size_t fresh() const { return fresh_; }
+
   std::size_t size() const { return table_.size(); }
 
   std::size_t bytes() const;
 
  private:
-  struct Moved {
-    std::uint32_t index = 0;  // in the call
-    std::uint32_t slot = 0;
-    bool escapes = false;  // its hull
-  };
-  struct Checked {
-    bool good = true;
-    bool clean = true;  // every box is canonical as it is
-    std::vector<Moved> moved;
-    std::size_t count = 0;  // of them
-    std::size_t escapes = 0;
+  using BoxVector = Vector<Aabb>;
 
-    std::span<const Moved> view() const { return {moved.data(), count}; }
-  };
-
-  void check_moves(std::span<const BodyId> ids, std::span<const Aabb> boxes, Share share, Checked& checked);
-  void check_run(std::uint32_t slot, std::span<const Aabb> boxes, Share share, Checked& checked) const;
-  void check_some(std::span<const BodyId> ids, std::span<const Aabb> boxes, Share share,
-                  Checked& checked) const;
+  const Aabb* hull_data() const { return slack_ ? hulls_.data() : boxes_.data(); }
+  void append(std::span<const BodyId> ids, std::span<const Aabb> boxes);
+  Status check_insert(std::span<const BodyId> ids) const;
   Status explain_refusal(std::span<const BodyId> ids, std::span<const Aabb> boxes) const;
-  void apply(const Moved& body, const Aabb& box);
+  void make_hulls();
+  void plan_listing(std::size_t more);
+  void put(std::uint32_t slot, const Aabb& box);
+  void apply(const MovedBody& body, const Aabb& box);
   void note_change(std::uint32_t slot, bool was, bool is);
 
   IdTable table_;
-  std::vector<Aabb> boxes_;
-  std::vector<Aabb> hulls_;
-  std::vector<std::uint32_t> listed_;  // by slot: 1 + the place in changes_, or 0
-  std::vector<Change> changes_;
+  BoxVector boxes_;
+  BoxVector hulls_;               // none while all are the boxes themselves
+  Vector<std::uint8_t> stamps_;   // by slot: when the box was last changed
+  Vector<std::uint32_t> listed_;  // by slot: 1 + the place in changes_, or 0
+  Vector<Change> changes_;
   std::size_t most_listed_ = 0;
   bool too_many_ = false;
   bool moved_ = false;
   bool slack_ = false;
-  std::uint32_t settled_ = 0;     // how often
-  std::vector<Checked> checked_;  // by worker
+  std::uint32_t settled_ = 0;  // how often
+  std::uint8_t stamp_ = 1;     // of now
+  std::size_t fresh_ = 0;      // boxes that got it, or more
+  Vector<MoveCheck> checks_;   // by worker
 };
 
 }  // namespace cellsweep::stream

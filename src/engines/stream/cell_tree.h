@@ -13,7 +13,9 @@
 #include "engines/stream/arena.h"
 #include "engines/stream/grid.h"
 #include "engines/stream/kernel.h"
+#include "engines/stream/memory.h"
 #include "engines/stream/pair_list.h"
+#include "engines/stream/piece_finder.h"
 #include "engines/stream/pool.h"
 
 namespace cellsweep::stream {
@@ -43,8 +45,9 @@ struct Change {
 
 /// What one worker writes.
 struct alignas(64) Desk {
-  Arena cells;    // of the tree, kept until the next build
-  Arena scratch;  // of the job at hand
+  Arena cells;                  // of the tree, kept until the next build
+  Arena scratch;                // of the job at hand
+  Vector<CellBoxes> collected;  // for a PieceFinder
   Keys found;
   Keys began;
   Keys ended;
@@ -57,7 +60,11 @@ struct alignas(64) Desk {
 /// whichever worker is free, and one worker does all that happens inside of one.
 class CellTree {
  public:
-  CellTree(Pool& pool, const Kernels& kernels);
+  /// `finder` finds the pairs of build(); null for the kernels to do so.
+  CellTree(Pool& pool, const Kernels& kernels, PieceFinder* finder = nullptr);
+
+  /// From now on build() and change() may throw TooManyPairs when they find more than this.
+  void limit_pairs(std::size_t most);
 
   /// Makes the tree anew for boxes by slot (NaN where there is no body) and finds all pairs: found().
   void build(const Boxes& boxes, const BodyId* ids);
@@ -80,6 +87,7 @@ class CellTree {
  private:
   Pool& pool_;
   const Kernels& kernels_;
+  PieceFinder* finder_;
   std::vector<std::unique_ptr<Desk>> desks_;
   std::vector<Keys*> found_;
   std::vector<Keys*> began_;

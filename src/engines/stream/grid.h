@@ -4,9 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 #include "cellsweep/aabb.h"
+#include "engines/stream/box_lanes.h"
 #include "engines/stream/kernel.h"
 
 namespace cellsweep::stream {
@@ -37,8 +37,6 @@ struct CellBlock {
 /// never decreases with the coordinate, whatever rounding does; exactness rests on that and on nothing else.
 class Grid {
  public:
-  using Float4 [[gnu::vector_size(16)]] = float;
-
   /// One cell.
   Grid() = default;
 
@@ -79,15 +77,6 @@ class Grid {
   }
 
  private:
-  using Int4 [[gnu::vector_size(16)]] = std::int32_t;
-
-  // Four floats of a box, from `skip` on.
-  static Float4 load4(const Aabb& box, std::size_t skip) {
-    Float4 vector;
-    std::memcpy(&vector, reinterpret_cast<const char*>(&box) + skip * sizeof(float), sizeof vector);
-    return vector;
-  }
-
   // NaN, which a lane without use may hold, becomes 0.
   static Int4 cells_of(Float4 coordinates, Float4 origin, Float4 scale, Float4 top) {
     const Float4 zero{};

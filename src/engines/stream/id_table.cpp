@@ -13,26 +13,25 @@ constexpr std::size_t kSmallTable = 1024;
 
 }  // namespace
 
-std::uint32_t IdTable::find_sparse(BodyId id) const {
-  const auto found = sparse_.find(id);
-  return found == sparse_.end() ? kNone : found->second;
-}
-
 void IdTable::reserve_for(std::span<const BodyId> ids) {
   if (ids.empty()) return;
   const std::size_t bodies = size_ + ids.size();
   const std::size_t entries = std::size_t{*std::max_element(ids.begin(), ids.end())} + 1;
   if (entries > direct_.size() && entries <= kDirectEntries * bodies + kSmallTable) {
+    make_room(direct_, entries);
     direct_.resize(entries, kNone);
   }
-  ids_.reserve(ids_.size() + ids.size());
+  make_room(ids_, ids_.size() + ids.size());
+  const auto is_sparse_id = [&](BodyId id) { return id >= direct_.size(); };
+  const auto sparse = static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), is_sparse_id));
+  if (sparse > 0) sparse_.reserve(sparse_.size() + sparse);
 }
 
 void IdTable::set_slot(BodyId id, std::uint32_t slot) {
   if (id < direct_.size()) {
     direct_[id] = slot;
   } else {
-    sparse_[id] = slot;
+    sparse_.insert(id, slot);
   }
 }
 
@@ -51,15 +50,31 @@ std::uint32_t IdTable::insert(BodyId id) {
   return slot;
 }
 
+void IdTable::append(std::span<const BodyId> ids) {
+  auto slot = static_cast<std::uint32_t>(ids_.size());
+  ids_.insert(ids_.end(), ids.begin(), ids.end());
+  bool identical = identical_;
+  for (const BodyId id : ids) {
+    identical &= slot == id;
+    set_slot(id, slot++);
+  }
+  identical_ = identical;
+  size_ += ids.size();
+}
+
+void IdTable::reserve_removals(std::size_t count) {
+  make_room(removed_, removed_.size() + count);
+  make_room(free_, free_.size() + removed_.size() + count);
+}
+
 std::uint32_t IdTable::remove(BodyId id) {
   std::uint32_t slot = kNone;
   if (id < direct_.size() && direct_[id] != kNone) {
     slot = direct_[id];
     direct_[id] = kNone;
   } else {
-    const auto found = sparse_.find(id);
-    slot = found->second;
-    sparse_.erase(found);
+    slot = sparse_.find(id);
+    sparse_.erase(id);
   }
   removed_.push_back(slot);
   --size_;
@@ -78,14 +93,14 @@ void IdTable::release() {
   removed_.clear();
 }
 
-std::vector<std::uint32_t> IdTable::renumber() {
-  std::vector<std::uint32_t> before;
+Vector<std::uint32_t> IdTable::renumber() {
+  Vector<std::uint32_t> before;
   before.reserve(size_);
   for (std::uint32_t slot = 0; slot < ids_.size(); ++slot) {
     if (find(ids_[slot]) == slot) before.push_back(slot);
   }
   IdTable fresh;
-  std::vector<BodyId> ids;
+  Vector<BodyId> ids;
   ids.reserve(before.size());
   for (const std::uint32_t slot : before) ids.push_back(ids_[slot]);
   fresh.reserve_for(ids);
@@ -95,9 +110,8 @@ std::vector<std::uint32_t> IdTable::renumber() {
 }
 
 std::size_t IdTable::bytes() const {
-  constexpr std::size_t kSparseEntry = 40;
   return (ids_.capacity() + direct_.capacity() + free_.capacity() + removed_.capacity()) * sizeof(BodyId) +
-         sparse_.size() * kSparseEntry;
+         sparse_.bytes();
 }
 
 }  // namespace cellsweep::stream

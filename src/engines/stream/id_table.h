@@ -6,10 +6,11 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "cellsweep/pair.h"
+#include "engines/stream/array.h"
+#include "engines/stream/sparse_ids.h"
 
 namespace cellsweep::stream {
 
@@ -27,14 +28,22 @@ class IdTable {
   /// The slot of a body, or kNone.
   std::uint32_t find(BodyId id) const {
     if (id < direct_.size() && direct_[id] != kNone) return direct_[id];
-    return sparse_.empty() ? kNone : find_sparse(id);
+    return sparse_.find(id);
   }
 
-  /// Makes room for these bodies, none of which is held.
+  /// Makes room for these bodies, none of which is held: inserting them takes no memory.
   void reserve_for(std::span<const BodyId> ids);
 
   /// The slot of a new body.
   std::uint32_t insert(BodyId id);
+
+  /// True when new bodies get the slots from slot_count() on, in order.
+  bool appends() const { return free_.empty(); }
+  /// New bodies for which there is room, when appends().
+  void append(std::span<const BodyId> ids);
+
+  /// Makes room for removing so many: remove() and release() take no memory then.
+  void reserve_removals(std::size_t count);
 
   /// The slot that a held body had.
   std::uint32_t remove(BodyId id);
@@ -47,7 +56,7 @@ class IdTable {
 
   /// Numbers the slots anew, 0 … size() − 1, and returns for each the slot that its body had. Frees what
   /// waited for release().
-  std::vector<std::uint32_t> renumber();
+  Vector<std::uint32_t> renumber();
 
   BodyId id(std::uint32_t slot) const { return ids_[slot]; }
 
@@ -61,16 +70,15 @@ class IdTable {
   std::size_t bytes() const;
 
  private:
-  std::uint32_t find_sparse(BodyId id) const;
   void set_slot(BodyId id, std::uint32_t slot);
 
   std::size_t size_ = 0;
   bool identical_ = true;
-  std::vector<BodyId> ids_;
-  std::vector<std::uint32_t> direct_;                 // slots of ids below its size
-  std::unordered_map<BodyId, std::uint32_t> sparse_;  // and of the others
-  std::vector<std::uint32_t> free_;
-  std::vector<std::uint32_t> removed_;
+  Vector<BodyId> ids_;
+  std::vector<std::uint32_t, Allocator<std::uint32_t>> direct_;  // slots of ids below its size
+  SparseIds sparse_;                                             // and of the others
+  Vector<std::uint32_t> free_;
+  Vector<std::uint32_t> removed_;
 };
 
 }  // namespace cellsweep::stream

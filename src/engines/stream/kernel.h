@@ -37,11 +37,15 @@ inline std::size_t cell_elements(std::size_t capacity) {
   return 7 * capacity;
 }
 
+/// Thrown where more pairs are found than asked for.
+struct TooManyPairs {};
+
 /// Pair keys (pair_key()), growing. The kernels write behind the end and move it.
 struct KeyBuffer {
   std::uint64_t* keys = nullptr;
   std::size_t size = 0;
   std::size_t capacity = 0;
+  std::size_t most = ~std::size_t{0};  // larger than this, it does not grow: TooManyPairs
   void (*grow)(KeyBuffer& buffer, std::size_t more) = nullptr;
 
   /// Makes room for `more` keys behind the end.

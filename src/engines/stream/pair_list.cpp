@@ -1,9 +1,6 @@
 #include "engines/stream/pair_list.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
-#include <new>
 #include <utility>
 #include <vector>
 
@@ -13,29 +10,11 @@ namespace cellsweep::stream {
 namespace {
 
 void grow_keys(KeyBuffer& buffer, std::size_t more) {
+  if (buffer.size > buffer.most) throw TooManyPairs();
   const std::size_t capacity = std::max(2 * buffer.capacity, buffer.size + more + 1000);
-  void* memory = std::realloc(buffer.keys, capacity * sizeof(std::uint64_t));
-  if (memory == nullptr) throw std::bad_alloc();
-  buffer.keys = static_cast<std::uint64_t*>(memory);
+  auto* memory = reinterpret_cast<std::byte*>(buffer.keys);
+  buffer.keys = reinterpret_cast<std::uint64_t*>(grow_memory(memory, capacity * sizeof(std::uint64_t)));
   buffer.capacity = capacity;
-}
-
-bool overlap_without_branches(const Aabb& a, const Aabb& b) {
-  return (static_cast<unsigned>(a.min[0] <= b.max[0]) & static_cast<unsigned>(b.min[0] <= a.max[0]) &
-          static_cast<unsigned>(a.min[1] <= b.max[1]) & static_cast<unsigned>(b.min[1] <= a.max[1]) &
-          static_cast<unsigned>(a.min[2] <= b.max[2]) & static_cast<unsigned>(b.min[2] <= a.max[2])) != 0;
-}
-
-/// Copies the candidates that overlap; returns how many.
-template <class SlotOf>
-std::size_t filter(std::span<const Pair> candidates, std::span<const Aabb> boxes, Pair* to,
-                   const SlotOf& slot_of) {
-  const Pair* const first = to;
-  for (const Pair& pair : candidates) {
-    *to = pair;
-    to += overlap_without_branches(boxes[slot_of(pair.a)], boxes[slot_of(pair.b)]) ? 1 : 0;
-  }
-  return static_cast<std::size_t>(to - first);
 }
 
 /// Leaves out of two ascending lists what is in both.
@@ -69,7 +48,7 @@ Keys::Keys() {
 void Keys::clear() {
   constexpr std::size_t kKept = 4096;
   if (buffer_.capacity > kKept && buffer_.size < buffer_.capacity / 8) {
-    std::free(buffer_.keys);
+    give_memory(buffer_.keys);
     buffer_.keys = nullptr;
     buffer_.capacity = 0;
   }
@@ -77,25 +56,15 @@ void Keys::clear() {
 }
 
 Keys::~Keys() {
-  std::free(buffer_.keys);
+  give_memory(buffer_.keys);
 }
 
-PairChanges PairList::replace(Pool& pool, std::span<Keys* const> found) {
-  std::swap(pairs_, spare_);
-  sort_pairs(pool, found, keys_, pairs_);
-  if (spare_.size() == 0) return {pairs_.view(), {}};
-  find_changes();
-  return {std::as_const(began_).view(), std::as_const(ended_).view()};
-}
-
-// Pairs before are in spare_, pairs now in pairs_.
-void PairList::find_changes() {
-  const std::span<const Pair> old = spare_.view();
-  const std::span<const Pair> now = pairs_.view();
-  began_.renew(now.size());
-  ended_.renew(old.size());
-  Pair* began = began_.data();
-  Pair* ended = ended_.data();
+PairChanges find_changes(std::span<const Pair> old, std::span<const Pair> now, Array<Pair>& began_list,
+                         Array<Pair>& ended_list) {
+  began_list.renew(now.size());
+  ended_list.renew(old.size());
+  Pair* began = began_list.data();
+  Pair* ended = ended_list.data();
   std::size_t i = 0, j = 0;
   while (i < old.size() && j < now.size()) {
     const std::uint64_t before = pair_key(old[i]);
@@ -107,45 +76,29 @@ void PairList::find_changes() {
     i += before <= after ? 1 : 0;
     j += after <= before ? 1 : 0;
   }
-  ended = std::copy(old.begin() + i, old.end(), ended);
-  began = std::copy(now.begin() + j, now.end(), began);
-  began_.shrink(static_cast<std::size_t>(began - began_.data()));
-  ended_.shrink(static_cast<std::size_t>(ended - ended_.data()));
+  ended = std::copy(old.begin() + static_cast<std::ptrdiff_t>(i), old.end(), ended);
+  began = std::copy(now.begin() + static_cast<std::ptrdiff_t>(j), now.end(), began);
+  began_list.shrink(static_cast<std::size_t>(began - began_list.data()));
+  ended_list.shrink(static_cast<std::size_t>(ended - ended_list.data()));
+  return {std::as_const(began_list).view(), std::as_const(ended_list).view()};
 }
 
-void PairList::copy(std::span<const Pair> pairs) {
-  pairs_.renew(pairs.size());
-  std::copy(pairs.begin(), pairs.end(), pairs_.data());
-}
-
-PairChanges PairList::keep_overlapping(Pool& pool, std::span<const Pair> candidates,
-                                       std::span<const Aabb> boxes, const IdTable& table) {
+PairChanges PairList::replace(Pool& pool, std::span<Keys* const> found, std::size_t most) {
+  sort_pairs(pool, found, keys_, spare_);
+  if (spare_.size() > most) throw TooManyPairs();
+  const bool first = pairs_.size() == 0;
+  const PairChanges changes = first ? PairChanges{std::as_const(spare_).view(), {}}
+                                    : find_changes(pairs_.view(), spare_.view(), began_, ended_);
   std::swap(pairs_, spare_);
-  pairs_.renew(candidates.size());
-  Pair* const to = pairs_.data();
-  std::vector<std::size_t> kept(pool.active());
-  pool.run([&](unsigned worker) {
-    const Share share = Share::of(candidates.size(), worker, pool.active());
-    const auto mine = candidates.subspan(share.first, share.last - share.first);
-    kept[worker] = table.ids() == nullptr
-                       ? filter(mine, boxes, to + share.first, [](BodyId id) { return id; })
-                       : filter(mine, boxes, to + share.first, [&](BodyId id) { return table.find(id); });
-  });
-  std::size_t size = kept[0];
-  for (unsigned worker = 1; worker < pool.active(); ++worker) {
-    const Share share = Share::of(candidates.size(), worker, pool.active());
-    std::memmove(to + size, to + share.first, kept[worker] * sizeof(Pair));
-    size += kept[worker];
-  }
-  pairs_.shrink(size);
-  find_changes();
-  return {std::as_const(began_).view(), std::as_const(ended_).view()};
+  return changes;
 }
 
-PairChanges PairList::change(Pool& pool, std::span<Keys* const> began, std::span<Keys* const> ended) {
+PairChanges PairList::change(Pool& pool, std::span<Keys* const> began, std::span<Keys* const> ended,
+                             std::size_t most) {
   sort_pairs(pool, began, keys_, began_);
   sort_pairs(pool, ended, keys_, ended_);
   cancel_equal(began_, ended_);
+  if (pairs_.size() + began_.size() - ended_.size() > most) throw TooManyPairs();
   if (began_.size() + ended_.size() > 0) apply_changes();
   return {std::as_const(began_).view(), std::as_const(ended_).view()};
 }
@@ -186,8 +139,7 @@ void PairList::apply_changes() {
 }
 
 std::size_t PairList::bytes() const {
-  return (pairs_.capacity() + spare_.capacity() + began_.capacity() + ended_.capacity()) * sizeof(Pair) +
-         keys_.capacity() * sizeof(std::uint64_t);
+  return pairs_.bytes() + spare_.bytes() + began_.bytes() + ended_.bytes() + keys_.bytes();
 }
 
 }  // namespace cellsweep::stream

@@ -1,6 +1,8 @@
 #include "engines/stream/pool.h"
 
+#include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 namespace cellsweep::stream {
@@ -30,6 +32,13 @@ void wait_while(const std::atomic<std::uint32_t>& value, std::uint32_t old, int 
 
 }  // namespace
 
+Pool::Pool(unsigned workers) : workers_(workers), active_(workers), spins_(spins_for(workers)) {}
+
+void Pool::use(unsigned workers) {
+  if (workers > 1) start_threads();
+  active_ = std::clamp(workers, 1U, workers_);
+}
+
 Pool::~Pool() {
   stop_ = true;
   job_.fetch_add(1, std::memory_order_release);
@@ -38,17 +47,23 @@ Pool::~Pool() {
 }
 
 void Pool::start_threads() {
+  if (threads_.size() + 1 == workers_) return;
   threads_.reserve(workers_ - 1);
-  while (threads_.size() + 1 < workers_) {
-    const auto worker = static_cast<unsigned>(threads_.size() + 1);
-    threads_.emplace_back([this, worker] { work(worker); });
+  try {
+    while (threads_.size() + 1 < workers_) {
+      const auto worker = static_cast<unsigned>(threads_.size() + 1);
+      threads_.emplace_back([this, worker] { work(worker); });
+    }
+  } catch (const std::system_error&) {  // no more to be had
+    workers_ = static_cast<unsigned>(threads_.size() + 1);
+    active_ = std::min(active_, workers_);
   }
 }
 
 void Pool::work(unsigned worker) {
   std::uint32_t seen = 0;
   for (;;) {
-    wait_while(job_, seen, spins_for(workers_));
+    wait_while(job_, seen, spins_);
     const std::uint32_t now = job_.load(std::memory_order_acquire);
     if (now == seen) continue;
     seen = now;
@@ -68,7 +83,7 @@ void Pool::call(unsigned worker) {
 }
 
 void Pool::run_all(Call call_now, const void* context) {
-  if (threads_.size() + 1 < workers_) start_threads();
+  start_threads();
   call_ = call_now;
   context_ = context;
   running_.store(workers_ - 1, std::memory_order_relaxed);
@@ -83,7 +98,7 @@ void Pool::wait_for_others() {
   for (;;) {
     const std::uint32_t left = running_.load(std::memory_order_acquire);
     if (left == 0) return;
-    wait_while(running_, left, spins_for(workers_));
+    wait_while(running_, left, spins_);
   }
 }
 
@@ -91,7 +106,7 @@ double Pool::seconds_to_dispatch() {
   if (dispatch_ >= 0) return dispatch_;
   using Clock = std::chrono::steady_clock;
   const unsigned before = active_;
-  active_ = workers_;
+  use(workers_);
   run([](unsigned) {});
   const Clock::time_point start = Clock::now();
   run([](unsigned) {});

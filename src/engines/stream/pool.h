@@ -12,22 +12,22 @@
 
 namespace cellsweep::stream {
 
-/// A crew of workers, the calling thread one of them. Threads start with the first job that needs them.
-/// One caller at a time.
+/// A crew of workers, the calling thread one of them. Threads start when they are first needed; where the
+/// system does not give as many, there are fewer workers. One caller at a time.
 class Pool {
  public:
   /// `workers` counts the caller: 1 never starts a thread.
-  explicit Pool(unsigned workers) : workers_(workers), active_(workers) {}
+  explicit Pool(unsigned workers);
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
   ~Pool();
 
-  /// The most workers there can be.
+  /// The most workers there can be; use() may find that there are fewer.
   unsigned workers() const { return workers_; }
 
   /// The workers that the next jobs are run by, 1 to workers().
   unsigned active() const { return active_; }
-  void use(unsigned workers) { active_ = workers < 1 ? 1 : (workers < workers_ ? workers : workers_); }
+  void use(unsigned workers);
 
   /// Calls `job(worker)` once for each active worker, 0 on the calling thread, and returns when all have
   /// returned. Throws on the caller's side what a job threw.
@@ -71,6 +71,7 @@ class Pool {
   std::vector<std::thread> threads_;
   Call call_ = nullptr;
   const void* context_ = nullptr;
+  int spins_;
   bool stop_ = false;
   double dispatch_ = -1;
   alignas(64) std::atomic<std::uint32_t> job_ = 0;      // counts jobs; threads wait for it to change

@@ -9,6 +9,7 @@
 #include "cellsweep/engines.h"
 #include "engines/stream/body_store.h"
 #include "engines/stream/cell_tree.h"
+#include "engines/stream/overlap_list.h"
 #include "engines/stream/pair_list.h"
 #include "engines/stream/pool.h"
 
@@ -19,8 +20,10 @@ namespace cellsweep::stream {
 /// found anew when that is expected to take less time. Memory is linear in bodies and pairs.
 class Stream final : public Broadphase {
  public:
-  /// `threads` of 0: as many as the machine has, where they pay.
-  Stream(unsigned threads, const Kernels& kernels);
+  /// `threads` of 0: as many as the machine has, where they pay. `max_pairs` of 0: any number.
+  /// With a `finder`, everything is found anew by it where not all bodies stayed inside of their hulls.
+  Stream(unsigned threads, std::uint64_t max_pairs, const Kernels& kernels,
+         std::unique_ptr<PieceFinder> finder);
 
   using Broadphase::insert;
   using Broadphase::move;
@@ -49,20 +52,27 @@ class Stream final : public Broadphase {
 
   void choose_workers(std::size_t items, double seconds_of_item);
   Kind kind_of_update();
+  PairChanges update_or_start_anew(Kind& kind);
   PairChanges update_pairs(Kind kind);
+  void build_tree();
+  Status too_many_pairs() const;
   PairChanges update_all();
   PairChanges update_changed();
+  PairChanges test_candidates(Kind kind, const PairChanges& of_candidates);
   void plan_ahead();
   void refresh_counters();
 
   bool threads_are_given_;
   const Kernels& kernels_;
+  std::size_t max_pairs_;
+  std::unique_ptr<PieceFinder> finder_;
   Pool pool_;
   BodyStore bodies_;
   CellTree tree_;
   PairList candidates_;  // pairs of overlapping hulls
-  PairList pairs_;       // of overlapping boxes, from when on these are not the same
+  OverlapList pairs_;    // of overlapping boxes, from when on these are not the same
   bool hulls_are_boxes_ = true;
+  double missed_ = 0;  // seconds that threads would have saved, had there been any
   Cost full_cost_;     // of a body
   Cost partial_cost_;  // of a changed body
   std::uint64_t updates_[kKinds] = {};
@@ -75,8 +85,9 @@ class Stream final : public Broadphase {
 
 namespace cellsweep {
 
-/// Makes an empty `stream`. Errors: bad_option for an instruction set that this machine or build does not
-/// have.
-Result<std::unique_ptr<Broadphase>> make_stream(const EngineOptions& options);
+/// Makes an empty `stream` that finds pairs by itself or by a `finder`. Errors: bad_option for an instruction
+/// set that this machine or build does not have.
+Result<std::unique_ptr<Broadphase>> make_stream(const EngineOptions& options,
+                                                std::unique_ptr<stream::PieceFinder> finder = nullptr);
 
 }  // namespace cellsweep

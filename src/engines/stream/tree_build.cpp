@@ -180,7 +180,15 @@ void TreeBuilder::finish_cell(const Target& target, Cell& cell, Desk& desk, unsi
   if (target.boxes != nullptr) {
     return build_inside({target.boxes, target.tags, target.cell.count}, cell, desk, depth);
   }
-  kernels_.all_pairs(cell.boxes, ids_, desk.found.buffer());
+  find_pairs(cell.boxes, desk);
+}
+
+void TreeBuilder::find_pairs(const CellBoxes& cell, Desk& desk) const {
+  if (collects_) {
+    desk.collected.push_back(cell);
+  } else {
+    kernels_.all_pairs(cell, ids_, desk.found.buffer());
+  }
 }
 
 void TreeBuilder::build_inside(const Boxes& boxes, Cell& cell, Desk& desk, unsigned depth) const {
@@ -213,7 +221,7 @@ void TreeBuilder::keep_whole(const Boxes& boxes, Cell& cell, Desk& desk) const {
   for (std::size_t i = 0; i < boxes.count; ++i) {
     put(cell.boxes, static_cast<std::uint32_t>(i), boxes.boxes[i], boxes.tags[i]);
   }
-  kernels_.all_pairs(cell.boxes, ids_, desk.found.buffer());
+  find_pairs(cell.boxes, desk);
 }
 
 }  // namespace cellsweep::stream

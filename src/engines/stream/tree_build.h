@@ -1,5 +1,6 @@
 /// @file
-/// Builds a CellTree and finds all pairs on the way, each cell's while its boxes are in the cache.
+/// Builds a CellTree and finds all pairs on the way, each cell's while its boxes are in the cache; or
+/// collects the cells whose pairs are to be found.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +15,8 @@ namespace cellsweep::stream {
 class TreeBuilder {
  public:
   TreeBuilder(Pool& pool, const Kernels& kernels, std::span<const std::unique_ptr<Desk>> desks,
-              const BodyId* ids)
-      : pool_(pool), kernels_(kernels), desks_(desks), ids_(ids) {}
+              const BodyId* ids, bool collects)
+      : pool_(pool), kernels_(kernels), desks_(desks), ids_(ids), collects_(collects) {}
 
   void build(const Boxes& boxes, Node& root);
 
@@ -42,12 +43,14 @@ class TreeBuilder {
   void finish_cell(const Target& target, Cell& cell, Desk& desk, unsigned depth) const;
   void build_inside(const Boxes& boxes, Cell& cell, Desk& desk, unsigned depth) const;
   void split(const Boxes& boxes, Node& node, Desk& desk, unsigned depth) const;
+  void find_pairs(const CellBoxes& cell, Desk& desk) const;
   void keep_whole(const Boxes& boxes, Cell& cell, Desk& desk) const;
 
   Pool& pool_;
   const Kernels& kernels_;
   std::span<const std::unique_ptr<Desk>> desks_;
   const BodyId* ids_;
+  bool collects_;
 };
 
 /// Room for `count` boxes and some more.

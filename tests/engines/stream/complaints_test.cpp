@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "broadphase/brute_force.h"
+
 #include "engines/stream/worlds.h"
 
 namespace cellsweep::stream {
@@ -150,6 +152,58 @@ TEST(Complaint, TheOrderOfPairsIsTheSameForAnyNumberOfThreadsAndEveryTime) {
     }
     shake(boxes, 0.2F, frame);
     for (const auto& engine : engines) move_every(*engine, boxes, frame % 2 == 0 ? 10 : 1);
+  }
+}
+
+TEST(Complaint, ACapOfPairsStopsAnUpdateWhichSaysSo) {
+  std::vector<Aabb> boxes = uniform_boxes(3000 / kScale, 11);
+  const std::vector<Pair> truth = brute_force_pairs(boxes);
+  for (const unsigned threads : {1U, 3U}) {
+    const auto engine = engine_with(boxes, {.threads = threads, .max_pairs = truth.size()});
+    ASSERT_TRUE(engine->update().ok());
+    EXPECT_TRUE(is_exact(*engine, boxes));
+    std::vector<Aabb> crowd(boxes.size(), Aabb{{0, 0, 0}, {1, 1, 1}});
+    for (const std::size_t every : {1, 2, 20}) {
+      move_every(*engine, crowd, every);
+      const Status status = engine->update().status();
+      EXPECT_EQ(status.code, StatusCode::capacity);
+      EXPECT_EQ(status.limit, truth.size());
+      EXPECT_EQ(status.setting, "max_pairs");
+      EXPECT_THAT(status.message, testing::HasSubstr(std::to_string(truth.size())));
+      EXPECT_TRUE(std::ranges::equal(engine->pairs(), truth));
+      move_every(*engine, boxes, every);
+      const auto changes = engine->update();
+      ASSERT_TRUE(changes.ok());
+      EXPECT_TRUE(changes->began.empty() && changes->ended.empty());
+    }
+    EXPECT_TRUE(is_exact(*engine, boxes));
+  }
+}
+
+TEST(Complaint, ACapOfPairsIsReachedWithoutFindingAllPairs) {
+  // Together 200 million pairs, which would be gigabytes.
+  const std::vector<Aabb> boxes(20'000, Aabb{{0, 0, 0}, {1, 1, 1}});
+  const auto engine = engine_with(boxes, {.max_pairs = 1000});
+  EXPECT_EQ(engine->update().status().code, StatusCode::capacity);
+  EXPECT_TRUE(engine->pairs().empty());
+}
+
+TEST(Complaint, ACapOfPairsCountsPairsAndNothingElse) {
+  // Slow bodies in dense rows: very many hulls overlap where boxes do not.
+  const auto row_at = [](float shift) {
+    std::vector<Aabb> boxes;
+    for (std::size_t i = 0; i < 3000 / kScale; ++i) {
+      const float x = 1.2F * static_cast<float>(i % 1000) + (i % 2 == 0 ? shift : -shift);
+      const float y = 1.2F * static_cast<float>(i / 1000);
+      boxes.push_back({{x, y, 0}, {x + 1, y + 1, 1}});
+    }
+    return boxes;
+  };
+  const auto engine = engine_with(row_at(0), {.max_pairs = 1});
+  for (const float shift : {0.0F, 0.03F, 0.06F, 0.0F, -0.05F}) {
+    move_every(*engine, row_at(shift), 1);
+    ASSERT_TRUE(engine->update().ok());
+    EXPECT_TRUE(engine->pairs().empty());
   }
 }
 

@@ -72,7 +72,7 @@ TEST(IdTable, NumbersSlotsAnewWithoutGaps) {
     if (id % 30 != 0) table.remove(id);
   }
   EXPECT_TRUE(table.is_sparse());
-  const std::vector<std::uint32_t> before = table.renumber();
+  const Vector<std::uint32_t> before = table.renumber();
   ASSERT_EQ(before.size(), 300U);
   EXPECT_EQ(table.slot_count(), 300U);
   EXPECT_FALSE(table.is_sparse());

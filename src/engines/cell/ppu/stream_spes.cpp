@@ -1,0 +1,136 @@
+#include "engines/cell/ppu/stream_spes.h"
+
+#include <algorithm>
+
+#include "broadphase/text.h"
+#include "engines/cell/ppu/layout.h"
+
+extern "C" spe_program_handle_t cell_stream_spu;
+
+namespace cellsweep::cell {
+namespace {
+
+constexpr unsigned kDefaultSpus = 3;
+constexpr unsigned kMostSpus = 16;
+/// Pairs that an SPU may send before the host takes them.
+constexpr std::uint32_t kRoom = 16 * kStreamPairs;
+constexpr std::uint64_t kBlockBytes = std::uint64_t{7} * 4 * kStreamBlock;
+
+static_assert(kTagBits == stream::kSlotBits);
+
+std::uint64_t key_of(std::uint32_t slot, std::uint32_t other, const BodyId* ids) {
+  if (ids != nullptr) return pair_key(make_pair_of(ids[slot], ids[other]));
+  return pair_key(make_pair_of(slot, other));
+}
+
+Status spus_status(unsigned spus) {
+  return {StatusCode::bad_option,
+          text("spus is ", spus, "; stream uses at most ", kMostSpus, "."),
+          std::nullopt,
+          spus,
+          kMostSpus,
+          "spus"};
+}
+
+}  // namespace
+
+std::vector<LocalStorePart> stream_buffers(std::uint64_t) {
+  return {{"job and result", sizeof(StreamJob) + sizeof(StreamResult)},
+          {"pieces", kStreamPieces * sizeof(StreamPiece)},
+          {"two chunks of pairs", std::uint64_t{2} * kStreamPairs * 8},
+          {"four blocks of boxes", 4 * kBlockBytes}};
+}
+
+Result<std::unique_ptr<stream::PieceFinder>> StreamSpes::make(const EngineOptions& options,
+                                                              std::shared_ptr<Emulation> emulation) {
+  const unsigned spus = options.spus == 0 ? kDefaultSpus : options.spus;
+  if (spus > kMostSpus) return spus_status(spus);
+  const LocalStoreMap map = make_local_store_map("stream", emulation->local_store(), stream_buffers, 1);
+  if (!map.fits()) {
+    return Status{StatusCode::capacity,
+                  text("A piece of stream does not fit: ", describe(map), "."),
+                  std::nullopt,
+                  map.used(),
+                  map.limit,
+                  "local_store_bytes"};
+  }
+  auto spes = SpeGroup::make(spus, cell_stream_spu, std::move(emulation));
+  if (!spes) return spes.status();
+  return std::unique_ptr<stream::PieceFinder>(new StreamSpes(std::move(*spes)));
+}
+
+StreamSpes::StreamSpes(std::unique_ptr<SpeGroup> spes)
+    : spes_(std::move(spes)), shares_(spes_->size()), jobs_(spes_->size()), results_(spes_->size()) {}
+
+// Each block of a cell with itself and with those behind it.
+void StreamSpes::share_out(std::span<const stream::CellBoxes> cells) {
+  for (Share& share : shares_) {
+    share.pieces.clear();
+    share.done = share.rows_done = 0;
+  }
+  std::size_t next = 0;
+  for (const stream::CellBoxes& cell : cells) {
+    const auto count_from = [&](std::uint32_t first) { return std::min(cell.count - first, kStreamBlock); };
+    if (cell.count < 2) continue;
+    for (std::uint32_t first = 0; first < cell.count; first += kStreamBlock) {
+      for (std::uint32_t second = first; second < cell.count; second += kStreamBlock) {
+        shares_[next++ % shares_.size()].pieces.push_back({wire_address(cell.arrays), cell.capacity, first,
+                                                           count_from(first), second, count_from(second), 0});
+      }
+    }
+  }
+  pieces_ += next;
+}
+
+std::vector<void*> StreamSpes::prepare_jobs() {
+  std::vector<void*> jobs;
+  for (Share& share : shares_) {
+    if (share.done == share.pieces.size()) continue;
+    share.pairs.resize(std::size_t{2} * kRoom);
+    StreamJob& job = jobs_[jobs.size()];
+    job = {wire_address(&share.pieces[share.done]),
+           wire_address(share.pairs.data()),
+           wire_address(&results_[jobs.size()]),
+           static_cast<std::uint32_t>(share.pieces.size() - share.done),
+           share.rows_done,
+           kRoom,
+           {}};
+    jobs.push_back(&job);
+  }
+  return jobs;
+}
+
+void StreamSpes::take_results(const BodyId* ids, stream::KeyBuffer& found) {
+  std::size_t next = 0;
+  for (Share& share : shares_) {
+    if (share.done == share.pieces.size()) continue;
+    const StreamResult& result = results_[next++];
+    share.done += result.pieces_done;
+    share.rows_done = result.rows_done;
+    found.need(result.pairs);
+    for (std::size_t i = 0; i < std::size_t{2} * result.pairs; i += 2) {
+      if (share.pairs[i] == kNoSlot) continue;
+      found.keys[found.size++] = key_of(share.pairs[i], share.pairs[i + 1], ids);
+    }
+  }
+}
+
+void StreamSpes::find(std::span<const stream::CellBoxes> cells, const BodyId* ids, stream::KeyBuffer& found) {
+  share_out(cells);
+  for (std::vector<void*> jobs = prepare_jobs(); !jobs.empty(); jobs = prepare_jobs()) {
+    if (Status status = spes_->run(jobs); !status.ok()) throw stream::PieceFailure{std::move(status)};
+    take_results(ids, found);
+  }
+}
+
+void StreamSpes::add_counters(std::vector<Counter>& counters) const {
+  const SpeCounts counts = spes_->counts();
+  counters.insert(counters.end(), {{"pieces on spes", pieces_},
+                                   {"dma gets", counts.gets},
+                                   {"dma puts", counts.puts},
+                                   {"dma bytes in", counts.bytes_in},
+                                   {"dma bytes out", counts.bytes_out},
+                                   {"local store high water", counts.local_store_high_water}});
+}
+
+}  // namespace cellsweep::cell

@@ -1,0 +1,46 @@
+#include "engines/cell/spu/stream/block_pairs.h"
+
+namespace cellsweep::cell {
+namespace {
+
+constexpr unsigned int kFaces = 6;
+constexpr std::uint32_t kAllLanes = 15;
+constexpr std::uint32_t kSlotMask = (1U << kTagBits) - 1;
+
+/// Four bits, the first box's on the left: which of four boxes are apart on no axis.
+inline std::uint32_t overlaps_of_four(const Block& others, std::uint32_t four, const vec_float4* own) {
+  vec_uint4 apart = spu_splats(0U);
+  for (unsigned int axis = 0; axis < 3; ++axis) {
+    const vec_float4 min = others.array(axis)[four];
+    const vec_float4 max = others.array(axis + 3)[four];
+    apart = spu_or(apart, spu_or(spu_cmpgt(own[axis], max), spu_cmpgt(min, own[axis + 3])));
+  }
+  return spu_extract(spu_gather(spu_nor(apart, apart)), 0);
+}
+
+inline void add_lanes(std::uint32_t lanes, std::uint32_t first, std::uint32_t tag, const Block& others,
+                      PairStream& pairs) {
+  for (std::uint32_t lane = 0; lane < 4; ++lane) {
+    if ((lanes & (8U >> lane)) == 0) continue;
+    const std::uint32_t other = others.tag(first + lane);
+    if ((tag | other) >> kTagBits == 7) pairs.add(tag & kSlotMask, other & kSlotMask);
+  }
+}
+
+}  // namespace
+
+void add_row(const Block& block, std::uint32_t row, const Block& others, std::uint32_t from,
+             PairStream& pairs) {
+  vec_float4 own[kFaces];
+  for (unsigned int face = 0; face < kFaces; ++face) own[face] = spu_splats(block.value(face, row));
+  const std::uint32_t tag = block.tag(row);
+  std::uint32_t wanted = kAllLanes >> (from & 3U);  // of the first four
+  for (std::uint32_t first = from & ~3U; first < others.count; first += 4) {
+    if (others.count - first < 4) wanted &= ~(kAllLanes >> (others.count - first));
+    const std::uint32_t lanes = overlaps_of_four(others, first / 4, own) & wanted;
+    if (lanes != 0) add_lanes(lanes, first, tag, others, pairs);
+    wanted = kAllLanes;
+  }
+}
+
+}  // namespace cellsweep::cell
