@@ -11,7 +11,7 @@ namespace cellsweep::contract {
 namespace {
 
 constexpr std::size_t kBodies[] = {0, 1, 2, 3, 4, 5, 15, 16, 17, 33, 64};
-constexpr std::uint64_t kSeeds = effort(4, 2, 1) * std::size(kBodies);
+constexpr std::uint64_t kSeeds = effort(4, 1, 1) * std::size(kBodies);
 constexpr int kSteps = effort(12, 3);
 
 using SequencesContract = PerEngineAndKind;

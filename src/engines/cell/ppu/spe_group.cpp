@@ -15,6 +15,13 @@ Status failed(unsigned index, const std::string& why) {
   return {StatusCode::spe_failed, text("SPE ", index, " failed: ", why), std::nullopt, index, 0, ""};
 }
 
+/// What a call of libspe2 left in errno; where the machine has no SPE, some of its versions leave nothing.
+std::string words_of_error() {
+  const int error = errno;
+  return error != 0 ? std::strerror(error)
+                    : "libspe2 gives no reason. Has this machine SPEs, and spufs mounted?";
+}
+
 std::string words_of_stop(const spe_stop_info_t& stop) {
   if (stop.stop_reason == SPE_EXIT)
     return text("its program ended with code ", stop.result.spe_exit_code, ".");
@@ -45,17 +52,19 @@ SpeGroup::~SpeGroup() {
 Status SpeGroup::add_spe(unsigned of) {
   const unsigned index = size();
   spes_.push_back(std::make_unique<Spe>());
+  errno = 0;
   spes_.back()->context = emulation_->create_context(SPE_EVENTS_ENABLE | SPE_MAP_PS, of);
-  if (spes_.back()->context == nullptr) return failed(index, std::strerror(errno));
+  if (spes_.back()->context == nullptr) return failed(index, words_of_error());
   counts_cycles_ = emulation_->cycles(spes_.back()->context).hertz != 0;
   return load(index);
 }
 
 Status SpeGroup::load(unsigned index) {
   Spe& spe = *spes_[index];
+  errno = 0;
   if (spe_program_load(spe.context, &emulation_->image(program_)) == 0) return {};
   const std::string why = emulation_->fault(spe.context);
-  return failed(index, why.empty() ? std::strerror(errno) : why);
+  return failed(index, why.empty() ? words_of_error() : why);
 }
 
 Status SpeGroup::run(std::span<void* const> jobs) {
