@@ -76,7 +76,7 @@ TEST(StreamOnSpesOf, StaysInsideOfTheLocalStore) {
   if (!engine) GTEST_SKIP() << "this build has no SPEs";
   ASSERT_TRUE((*engine)->insert(ids_below(1000), uniform_boxes(1000, 3)).ok());
   ASSERT_TRUE((*engine)->update().ok());
-  EXPECT_GT(counter(**engine, "local store high water"), 50'000U);
+  EXPECT_GT(counter(**engine, "local store high water"), 10'000U) << "its program alone is larger";
   EXPECT_LE(counter(**engine, "local store high water"), 256U << 10);
 }
 

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "cellsweep/engines.h"
 
 namespace cellsweep::report {
@@ -21,6 +24,10 @@ ExperimentSettings small() {
   return settings;
 }
 
+bool is_in_table(std::string_view engine) {
+  return std::ranges::any_of(engine_table(), [&](const EngineInfo& info) { return info.name == engine; });
+}
+
 bool is_there(const Curve& curve) {
   if (curve.part != Part::simulated_cell) return make_engine(curve.engine).ok();
   return make_engine(curve.engine, {.spe_engine = SpeEngine::isa, .cycles = true}).ok();
@@ -33,7 +40,7 @@ TEST(Experiment, MeasuresEveryEngineThatHasACurveAtEverySize) {
   EXPECT_THAT(results->wrong, ElementsAre());
   for (const Curve& curve : curve_table()) {
     const bool there = is_there(curve);
-    if (!there) {
+    if (!there && is_in_table(curve.engine)) {
       EXPECT_THAT(results->left_out, Contains(HasSubstr(std::string(curve.engine))));
     }
     for (const std::size_t bodies : {32U, 64U}) {
