@@ -78,7 +78,7 @@ void add_experiment(CLI::App& program, ExitCode& exit_code) {
           ->capture_default_str();
   command->add_option("--seed", settings.seed, "Seed of the scene")->capture_default_str();
   command->footer(
-      "Takes two to three minutes on an idle machine; what else runs there is in the times.\n"
+      "Takes a minute and a half on an idle machine; what else runs there is in the times.\n"
       "Examples:\n"
       "  cellsweep experiment --out results\n"
       "  cellsweep experiment --out results --quick --bodies 64,1024,3500");
