@@ -37,7 +37,7 @@ img { border-radius: 6px; }
 table { border-collapse: collapse; font-size: 14px; font-variant-numeric: tabular-nums; width: 100%; }
 th, td { text-align: right; padding: 5px 10px; border-bottom: 1px solid #e6eaef; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; }
-th { color: #5a6673; font-weight: 600; }
+th { color: #5a6673; font-weight: 600; white-space: normal; vertical-align: bottom; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 4px 18px; margin: 10px 0 0; font-size: 14px; }
 dt { color: #5a6673; }
 dd { margin: 0; overflow-wrap: anywhere; }
