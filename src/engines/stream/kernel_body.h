@@ -76,22 +76,26 @@ inline void add_pairs(const Hits* hits, std::size_t count, const std::uint32_t* 
 
 template <class Lanes>
 void all_pairs(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found) {
+  // Copies: what is written to `hits` must not look like a change of these.
+  const float* const boxes = cell.arrays;
+  const std::size_t step = cell.capacity;
+  const std::uint32_t end_of_cell = cell.count;
   Hits hits[kStrip];
-  for (std::uint32_t first = 0; first < cell.count; first += Lanes::kCount) {
+  for (std::uint32_t first = 0; first < end_of_cell; first += Lanes::kCount) {
     const Block<Lanes> block(cell, first);
-    const std::uint32_t there = lanes_below<Lanes>(cell.count - first);
-    const std::uint32_t end = first + Lanes::kCount < cell.count ? first + Lanes::kCount : cell.count;
+    const std::uint32_t there = lanes_below<Lanes>(end_of_cell - first);
+    const std::uint32_t end = first + Lanes::kCount < end_of_cell ? first + Lanes::kCount : end_of_cell;
     for (std::uint32_t strip = 0; strip < end; strip += kStrip) {
       const std::uint32_t strip_end = strip + kStrip < end ? strip + kStrip : end;
       const std::uint32_t before_end = strip_end < first ? strip_end : first;
       std::size_t count = 0;
       std::uint32_t i = strip;
       for (; i < before_end; ++i) {
-        hits[count] = {i, block.hits(cell.arrays + i, cell.capacity) & there};
+        hits[count] = {i, block.hits(boxes + i, step) & there};
         count += hits[count].lanes != 0 ? 1 : 0;
       }
       for (; i < strip_end; ++i) {  // boxes of the block itself, each with those behind it
-        hits[count] = {i, block.hits(cell.arrays + i, cell.capacity) & there & ~0U << (i - first) << 1};
+        hits[count] = {i, block.hits(boxes + i, step) & there & ~0U << (i - first) << 1};
         count += hits[count].lanes != 0 ? 1 : 0;
       }
       found.need(count * Lanes::kCount);

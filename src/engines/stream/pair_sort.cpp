@@ -15,10 +15,12 @@ constexpr std::size_t kBuckets = 512;
 constexpr std::size_t kFew = 24;
 /// Fewer keys than this are one bucket.
 constexpr std::size_t kOneBucket = 2048;
+/// And fewer than this when there is a counter for each first id: buckets would cost more than they save.
+constexpr std::size_t kOneCount = 16384;
 /// A bucket has at least so many first ids.
 constexpr std::uint64_t kNarrowest = 4096;
 /// One counter for each first id, when they lie so close together.
-constexpr std::uint64_t kCounters = 8192;
+constexpr std::uint64_t kCounters = 16384;
 
 Pair pair_of(Key key) {
   return {static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
@@ -183,6 +185,16 @@ class Distribution {
   std::array<std::size_t, kBuckets + 1> first_{};
 };
 
+bool is_one_bucket(std::span<Keys* const> parts, std::size_t total) {
+  if (total <= kOneBucket) return true;
+  if (total > kOneCount) return false;
+  Range range;
+  for (const Keys* part : parts) {
+    for (const Key key : part->view()) range.include(key);
+  }
+  return range.size() <= kCounters;
+}
+
 void gather(std::span<Keys* const> parts, Array<Key>& scratch) {
   Key* end = scratch.data();
   for (const Keys* part : parts) end = std::copy(part->view().begin(), part->view().end(), end);
@@ -196,7 +208,7 @@ void sort_pairs(Pool& pool, std::span<Keys* const> parts, Array<std::uint64_t>& 
   for (const Keys* part : parts) total += part->view().size();
   sorted.renew(total);
   if (total == 0) return;
-  if (total <= kOneBucket) {
+  if (is_one_bucket(parts, total)) {
     scratch.renew(total);
     gather(parts, scratch);
     return sort_bucket(scratch.view(), sorted.data());
