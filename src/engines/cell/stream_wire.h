@@ -10,15 +10,17 @@ namespace cellsweep::cell {
 /// Boxes that an SPU holds at a time, of each of two blocks and of their successors.
 inline constexpr std::uint32_t kStreamBlock = 256;
 
+/// A box: min x, y, z, max x, y, z, tag, one word unused.
+inline constexpr std::uint32_t kStreamWords = 8;
+
 /// A block of boxes compared with itself or with another one of the same cell.
 struct StreamPiece {
-  WireAddress boxes;       ///< the cell's seven arrays: min x, y, z, max x, y, z, tag; 16-byte aligned
-  std::uint32_t capacity;  ///< elements from one array to the next, a multiple of 4
-  std::uint32_t first;     ///< where in the arrays the block begins, a multiple of 4
+  WireAddress boxes;    ///< of the cell, kStreamWords words each
+  std::uint32_t first;  ///< the box that the block begins with
   std::uint32_t first_count;
-  std::uint32_t second;  ///< the other block; the same as `first` for a block and itself
+  std::uint32_t second;  ///< of the other block; the same as `first` for a block and itself
   std::uint32_t second_count;
-  std::uint32_t unused;
+  std::uint32_t unused[2];
 };
 static_assert(sizeof(StreamPiece) == 32);
 

@@ -57,7 +57,7 @@ class BodyStore {
 
   /// By slot; NaN where there is no body.
   std::span<const Aabb> boxes() const { return boxes_; }
-  Boxes hulls() const { return {hull_data(), nullptr, boxes_.size()}; }
+  Boxes hulls() const { return {hull_data(), boxes_.size()}; }
   const IdTable& table() const { return table_; }
 
   /// By slot: equal to stamp() when the box has changed since settle().

@@ -27,8 +27,8 @@ void CellTree::limit_pairs(std::size_t most) {
 
 void CellTree::build(const Boxes& boxes, const BodyId* ids) {
   for (const auto& desk : desks_) {
-    desk->cells.reset(kBytesOfBox * boxes.count);
-    desk->scratch.reset(kBytesOfBox * boxes.count);
+    desk->cells.reset(kBytesOfBox * boxes.count());
+    desk->scratch.reset(kBytesOfBox * boxes.count());
     for (Keys* keys : {&desk->found, &desk->began, &desk->ended}) keys->clear();
     desk->collected.clear();
     desk->copies = 0;

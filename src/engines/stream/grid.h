@@ -11,13 +11,32 @@
 
 namespace cellsweep::stream {
 
-/// Boxes with tags. `tags` is null at the top, where a box's place is its slot and every minimum is inside;
-/// there, boxes of slots without a body are NaN.
-struct Boxes {
-  const Aabb* boxes = nullptr;
-  const std::uint32_t* tags = nullptr;
-  std::size_t count = 0;
+/// Boxes to be put into cells: those of a cell that is cut again, or all there are. Of these, a box's place
+/// is its slot, every minimum is inside, and boxes of slots without a body are NaN.
+class Boxes {
+ public:
+  Boxes(const Aabb* boxes, std::size_t count)
+      : first_(reinterpret_cast<const std::byte*>(boxes)), count_(count), step_(sizeof(Aabb)) {}
+  explicit Boxes(const CellBoxes& cell)
+      : first_(reinterpret_cast<const std::byte*>(cell.boxes)),
+        count_(cell.count),
+        step_(sizeof(TaggedBox)) {}
+
+  std::size_t count() const { return count_; }
+  const Aabb& operator[](std::size_t place) const {
+    return *reinterpret_cast<const Aabb*>(first_ + place * step_);
+  }
+  std::uint32_t tag(std::size_t place) const {
+    if (step_ == sizeof(Aabb)) return static_cast<std::uint32_t>(place) | kWholeFlags << kSlotBits;
+    return reinterpret_cast<const TaggedBox*>(first_)[place].tag;
+  }
+
+ private:
+  const std::byte* first_;
+  std::size_t count_;
+  std::size_t step_;  // bytes from one to the next
 };
+static_assert(offsetof(TaggedBox, box) == 0);
 
 /// The block of cells that a box reaches into: the first one, and how many more on each axis.
 struct CellBlock {

@@ -56,9 +56,9 @@ Sample take_sample(const Boxes& boxes) {
   Sample sample;
   Extents& sum = sample.extents;
   std::size_t taken = 0;
-  const std::size_t wanted = std::min(boxes.count, std::min(kSample, 24 + boxes.count / 64));
+  const std::size_t wanted = std::min(boxes.count(), std::min(kSample, 24 + boxes.count() / 64));
   for (std::size_t i = 0; i < wanted; ++i) {
-    const Aabb& box = boxes.boxes[i * boxes.count / wanted];
+    const Aabb& box = boxes[i * boxes.count() / wanted];
     if (!(box.min[0] <= box.max[0])) continue;
     std::array<double, 3> edge{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -145,7 +145,7 @@ Grid make_grid(const Sample& sample, const Plan& plan) {
 
 GridChoice choose_grid(const Boxes& boxes) {
   const Sample sample = take_sample(boxes);
-  const auto count = static_cast<double>(boxes.count);
+  const auto count = static_cast<double>(boxes.count());
   Plan best;
   double best_in_cell = 0;
   for (double in_cell = 8; in_cell < count && in_cell < 600; in_cell *= 1.6) {

@@ -7,12 +7,13 @@
 #include <cstdint>
 #include <span>
 
+#include "cellsweep/aabb.h"
 #include "cellsweep/engines.h"
 #include "cellsweep/pair.h"
 
 namespace cellsweep::stream {
 
-/// The largest vector of any kernel, in boxes. Boxes of a cell have room for as many behind the last one.
+/// The largest vector of any kernel, in boxes.
 inline constexpr std::uint32_t kMaxLanes = 16;
 
 /// A tag holds a body's slot and, above it, on which axes the body's minimum lies in the cell.
@@ -21,21 +22,20 @@ inline constexpr std::uint32_t kSlotMask = (1U << kSlotBits) - 1;
 /// All axes.
 inline constexpr std::uint32_t kWholeFlags = 7;
 
-/// The boxes of one cell: seven arrays of `capacity` elements, one after the other: minimum x, y, z, maximum
-/// x, y, z, tag. Of each, `count` elements hold something. `capacity` is a multiple of 8, at least kMaxLanes.
-struct CellBoxes {
-  float* arrays = nullptr;
-  std::uint32_t count = 0;
-  std::uint32_t capacity = 0;
-
-  float* faces(unsigned face) const { return arrays + std::size_t{face} * capacity; }
-  std::uint32_t* tags() const { return reinterpret_cast<std::uint32_t*>(arrays + std::size_t{6} * capacity); }
+/// A box in a cell. Boxes come into cells in no order: to write one, a single cache line is fetched.
+struct alignas(32) TaggedBox {
+  Aabb box;
+  std::uint32_t tag;
+  std::uint32_t unused;
 };
 
-/// The number of 4-byte elements that a cell of a capacity takes.
-inline std::size_t cell_elements(std::size_t capacity) {
-  return 7 * capacity;
-}
+/// The boxes of one cell. `count` of `capacity` hold something; `capacity` is a multiple of the kernels'
+/// lanes.
+struct CellBoxes {
+  TaggedBox* boxes = nullptr;
+  std::uint32_t count = 0;
+  std::uint32_t capacity = 0;
+};
 
 /// Thrown where more pairs are found than asked for.
 struct TooManyPairs {};

@@ -2,6 +2,7 @@
 
 #include "engines/stream/kernel_body.h"
 #include "engines/stream/kernel_sets.h"
+#include "engines/stream/kernel_transpose.h"
 
 namespace cellsweep::stream {
 namespace {
@@ -12,7 +13,7 @@ struct Avx2Lanes {
   using Vector = __m256;
   using Mask = __m256;
 
-  static Vector load(const float* from) { return _mm256_loadu_ps(from); }
+  static void gather(const TaggedBox* boxes, Vector (&faces)[6]) { gather_eight(boxes, faces); }
   static Vector broadcast(const float* from) { return _mm256_broadcast_ss(from); }
   static Mask less_equal(Vector a, Vector b) { return _mm256_cmp_ps(a, b, _CMP_LE_OQ); }
   static Mask both(Mask a, Mask b) { return _mm256_and_ps(a, b); }

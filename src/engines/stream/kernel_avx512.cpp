@@ -2,6 +2,7 @@
 
 #include "engines/stream/kernel_body.h"
 #include "engines/stream/kernel_sets.h"
+#include "engines/stream/kernel_transpose.h"
 
 namespace cellsweep::stream {
 namespace {
@@ -12,7 +13,16 @@ struct Avx512Lanes {
   using Vector = __m512;
   using Mask = __mmask16;
 
-  static Vector load(const float* from) { return _mm512_loadu_ps(from); }
+  static void gather(const TaggedBox* boxes, Vector (&faces)[6]) {
+    __m256 low[6];
+    __m256 high[6];
+    gather_eight(boxes, low);
+    gather_eight(boxes + 8, high);
+    for (unsigned face = 0; face < 6; ++face) {
+      faces[face] = __builtin_shufflevector(low[face], high[face], 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
+                                            13, 14, 15);
+    }
+  }
   static Vector broadcast(const float* from) { return _mm512_set1_ps(*from); }
   static Mask less_equal(Vector a, Vector b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ); }
   static Mask both(Mask a, Mask b) { return static_cast<Mask>(a & b); }

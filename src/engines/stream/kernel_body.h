@@ -1,5 +1,5 @@
 /// @file
-/// The kernels for any vector: `Lanes` says how wide it is, loads, broadcasts and compares.
+/// The kernels for any vector: `Lanes` says how wide it is, gathers, broadcasts and compares.
 ///
 /// Everything here has internal linkage and calls nothing of the standard library that is not in the header's
 /// own lines: the linker must not choose a function that was compiled for a larger instruction set.
@@ -14,18 +14,16 @@ namespace {
 template <class Lanes>
 class Block {
  public:
-  Block(const CellBoxes& cell, std::uint32_t first) {
-    for (unsigned face = 0; face < 6; ++face) faces_[face] = Lanes::load(cell.faces(face) + first);
-  }
+  explicit Block(const TaggedBox* boxes) { Lanes::gather(boxes, faces_); }
 
-  /// Which of them the box at `place` overlaps, a bit each.
-  std::uint32_t hits(const float* place, std::size_t step) const {
-    auto all = Lanes::less_equal(faces_[0], Lanes::broadcast(place + 3 * step));
-    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(place), faces_[3]));
-    all = Lanes::both(all, Lanes::less_equal(faces_[1], Lanes::broadcast(place + 4 * step)));
-    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(place + step), faces_[4]));
-    all = Lanes::both(all, Lanes::less_equal(faces_[2], Lanes::broadcast(place + 5 * step)));
-    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(place + 2 * step), faces_[5]));
+  /// Which of them a box overlaps, a bit each.
+  std::uint32_t hits(const Aabb& box) const {
+    auto all = Lanes::less_equal(faces_[0], Lanes::broadcast(&box.max[0]));
+    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(&box.min[0]), faces_[3]));
+    all = Lanes::both(all, Lanes::less_equal(faces_[1], Lanes::broadcast(&box.max[1])));
+    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(&box.min[1]), faces_[4]));
+    all = Lanes::both(all, Lanes::less_equal(faces_[2], Lanes::broadcast(&box.max[2])));
+    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(&box.min[2]), faces_[5]));
     return Lanes::bits(all);
   }
 
@@ -62,12 +60,12 @@ struct Hits {
 /// So many boxes are compared with a block before the hits are looked at: no branch depends on a comparison.
 constexpr std::uint32_t kStrip = 128;
 
-inline void add_pairs(const Hits* hits, std::size_t count, const std::uint32_t* tags, std::uint32_t first,
+inline void add_pairs(const Hits* hits, std::size_t count, const TaggedBox* boxes, std::uint32_t first,
                       const BodyId* ids, KeyBuffer& found) {
   for (std::size_t h = 0; h < count; ++h) {
-    const std::uint32_t tag = tags[hits[h].place];
+    const std::uint32_t tag = boxes[hits[h].place].tag;
     for (std::uint32_t lanes = hits[h].lanes; lanes != 0; lanes &= lanes - 1) {
-      const std::uint32_t other = tags[first + static_cast<unsigned>(__builtin_ctz(lanes))];
+      const std::uint32_t other = boxes[first + static_cast<unsigned>(__builtin_ctz(lanes))].tag;
       found.keys[found.size] = key_of(tag, other, ids);
       found.size += owns(tag, other) ? 1 : 0;
     }
@@ -77,29 +75,24 @@ inline void add_pairs(const Hits* hits, std::size_t count, const std::uint32_t* 
 template <class Lanes>
 void all_pairs(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found) {
   // Copies: what is written to `hits` must not look like a change of these.
-  const float* const boxes = cell.arrays;
-  const std::size_t step = cell.capacity;
+  const TaggedBox* const boxes = cell.boxes;
   const std::uint32_t end_of_cell = cell.count;
   Hits hits[kStrip];
   for (std::uint32_t first = 0; first < end_of_cell; first += Lanes::kCount) {
-    const Block<Lanes> block(cell, first);
+    const Block<Lanes> block(boxes + first);
     const std::uint32_t there = lanes_below<Lanes>(end_of_cell - first);
     const std::uint32_t end = first + Lanes::kCount < end_of_cell ? first + Lanes::kCount : end_of_cell;
     for (std::uint32_t strip = 0; strip < end; strip += kStrip) {
       const std::uint32_t strip_end = strip + kStrip < end ? strip + kStrip : end;
-      const std::uint32_t before_end = strip_end < first ? strip_end : first;
       std::size_t count = 0;
-      std::uint32_t i = strip;
-      for (; i < before_end; ++i) {
-        hits[count] = {i, block.hits(boxes + i, step) & there};
-        count += hits[count].lanes != 0 ? 1 : 0;
-      }
-      for (; i < strip_end; ++i) {  // boxes of the block itself, each with those behind it
-        hits[count] = {i, block.hits(boxes + i, step) & there & ~0U << (i - first) << 1};
+      for (std::uint32_t i = strip; i < strip_end; ++i) {
+        // Boxes of the block itself, each with those behind it only.
+        const std::uint32_t behind = i < first ? 0 : i + 1 - first;
+        hits[count] = {i, block.hits(boxes[i].box) & there & (~0U << behind)};
         count += hits[count].lanes != 0 ? 1 : 0;
       }
       found.need(count * Lanes::kCount);
-      add_pairs(hits, count, cell.tags(), first, ids, found);
+      add_pairs(hits, count, boxes, first, ids, found);
     }
   }
 }
@@ -115,23 +108,22 @@ inline void note_change(bool old, bool now, std::uint64_t key, const KeyChanges&
 template <class Lanes>
 void changed_pairs(const CellBoxes& old, const CellBoxes& now, std::span<const std::uint32_t> changed,
                    const std::uint32_t* rank, const BodyId* ids, const KeyChanges& changes) {
-  const std::uint32_t* old_tags = old.tags();
-  const std::uint32_t* now_tags = now.tags();
   for (std::uint32_t first = 0; first < now.count; first += Lanes::kCount) {
-    const Block<Lanes> was(old, first);
-    const Block<Lanes> is(now, first);
+    const Block<Lanes> was(old.boxes + first);
+    const Block<Lanes> is(now.boxes + first);
     const std::uint32_t there = lanes_below<Lanes>(now.count - first);
     for (std::size_t c = 0; c < changed.size(); ++c) {
-      const std::uint32_t place = changed.data()[c];
-      const std::uint32_t before = was.hits(old.arrays + place, old.capacity) & there;
-      const std::uint32_t after = is.hits(now.arrays + place, now.capacity) & there;
+      const TaggedBox& old_box = old.boxes[changed.data()[c]];
+      const TaggedBox& new_box = now.boxes[changed.data()[c]];
+      const std::uint32_t before = was.hits(old_box.box) & there;
+      const std::uint32_t after = is.hits(new_box.box) & there;
       for (std::uint32_t any = before | after; any != 0; any &= any - 1) {
         const auto lane = static_cast<unsigned>(__builtin_ctz(any));
         const std::uint32_t other = first + lane;
         if (rank[other] <= c) continue;
-        note_change((before >> lane & 1) != 0 && owns(old_tags[place], old_tags[other]),
-                    (after >> lane & 1) != 0 && owns(now_tags[place], now_tags[other]),
-                    key_of(now_tags[place], now_tags[other], ids), changes);
+        note_change((before >> lane & 1) != 0 && owns(old_box.tag, old.boxes[other].tag),
+                    (after >> lane & 1) != 0 && owns(new_box.tag, now.boxes[other].tag),
+                    key_of(new_box.tag, now.boxes[other].tag, ids), changes);
       }
     }
   }

@@ -12,7 +12,14 @@ struct PortableLanes {
   };
   using Mask = std::uint32_t;
 
-  static Vector load(const float* from) { return {{from[0], from[1], from[2], from[3]}}; }
+  static void gather(const TaggedBox* boxes, Vector (&faces)[6]) {
+    for (unsigned i = 0; i < kCount; ++i) {
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        faces[axis].lane[i] = boxes[i].box.min[axis];
+        faces[axis + 3].lane[i] = boxes[i].box.max[axis];
+      }
+    }
+  }
   static Vector broadcast(const float* from) { return {{*from, *from, *from, *from}}; }
   static Mask less_equal(const Vector& a, const Vector& b) {
     Mask mask = 0;

@@ -10,16 +10,6 @@ constexpr std::uint32_t kLargestCell = 160;
 /// Boxes that no cut tells apart are compared all with all from here on.
 constexpr unsigned kDeepest = 24;
 
-void put(const CellBoxes& cell, std::uint32_t place, const Aabb& box, std::uint32_t tag) {
-  float* at = cell.arrays + place;
-  const std::size_t step = cell.capacity;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    at[axis * step] = box.min[axis];
-    at[(axis + 3) * step] = box.max[axis];
-  }
-  cell.tags()[place] = tag;
-}
-
 bool is_there(const Aabb& box) {
   return box.min[0] <= box.max[0];
 }
@@ -70,12 +60,10 @@ class CopyList {
 
 }  // namespace
 
-CellBoxes new_cell(Arena& arena, std::size_t count) {
+CellBoxes new_cell(Arena& arena, std::size_t count, unsigned lanes) {
   CellBoxes cell;
-  const std::size_t wanted = std::max<std::size_t>(count + count / 16, kMaxLanes);
-  cell.capacity = static_cast<std::uint32_t>((wanted + 7) / 8 * 8);
-  // A vector that starts inside of the last array may end behind it.
-  cell.arrays = arena.take<float>(cell_elements(cell.capacity) + kMaxLanes);
+  cell.capacity = static_cast<std::uint32_t>((count + count / 16 + lanes - 1) / lanes * lanes);
+  cell.boxes = arena.take<TaggedBox>(cell.capacity);
   return cell;
 }
 
@@ -90,11 +78,11 @@ void TreeBuilder::build(const Boxes& boxes, Node& root) {
   std::fill_n(counts, std::size_t{workers} * cells, 0);
   std::vector<std::span<const Copy>> copies(workers);
   pool_.run([&](unsigned worker) {
-    copies[worker] = list_copies(boxes, Share::of(boxes.count, worker, workers), root.grid,
+    copies[worker] = list_copies(boxes, Share::of(boxes.count(), worker, workers), root.grid,
                                  counts + std::size_t{worker} * cells, desks_[worker]->scratch);
   });
   add_up(counts, workers, cells, sums);
-  const Target* targets = make_targets(sums, cells, desk);
+  const CellBoxes* targets = make_targets(sums, cells, desk);
   root.cells = desk.cells.take<Cell>(cells);
   pool_.run(
       [&](unsigned worker) { fill(boxes, copies[worker], targets, counts + std::size_t{worker} * cells); });
@@ -109,7 +97,7 @@ std::span<const TreeBuilder::Copy> TreeBuilder::list_copies(const Boxes& boxes, 
                                                             std::uint32_t* counts, Arena& arena) const {
   CopyList<Copy> list(arena, share.last - share.first);
   for (std::size_t i = share.first; i < share.last; ++i) {
-    const Aabb& box = boxes.boxes[i];
+    const Aabb& box = boxes[i];
     if (!is_there(box)) continue;
     const CellBlock block = grid.block_of(box);
     const auto index = static_cast<std::uint32_t>(i);
@@ -133,54 +121,39 @@ std::span<const TreeBuilder::Copy> TreeBuilder::list_copies(const Boxes& boxes, 
   return list.view();
 }
 
-void TreeBuilder::fill(const Boxes& boxes, std::span<const Copy> copies, const Target* targets,
+void TreeBuilder::fill(const Boxes& boxes, std::span<const Copy> copies, const CellBoxes* targets,
                        std::uint32_t* places) const {
   for (const Copy& copy : copies) {
     const std::uint32_t cell = copy.cell_and_flags & kSlotMask;
-    const Target& target = targets[cell];
-    const std::uint32_t place = places[cell]++;
-    const Aabb& box = boxes.boxes[copy.box];
-    const std::uint32_t tag =
-        boxes.tags == nullptr ? copy.box | kWholeFlags << kSlotBits : boxes.tags[copy.box];
-    const std::uint32_t tag_here = tag & (copy.cell_and_flags | kSlotMask);
-    if (target.boxes == nullptr) {
-      put(target.cell, place, box, tag_here);
-    } else {
-      target.boxes[place] = box;
-      target.tags[place] = tag_here;
-    }
+    const std::uint32_t tag = boxes.tag(copy.box) & (copy.cell_and_flags | kSlotMask);
+    targets[cell].boxes[places[cell]++] = {boxes[copy.box], tag, 0};
   }
 }
 
-TreeBuilder::Target* TreeBuilder::make_targets(const std::uint32_t* counts, std::uint32_t cells,
-                                               Desk& desk) const {
-  auto* targets = desk.scratch.take<Target>(cells);
+// Where the boxes of each cell are to be put: for good, or for as long as it takes to cut the cell again.
+CellBoxes* TreeBuilder::make_targets(const std::uint32_t* counts, std::uint32_t cells, Desk& desk) const {
+  auto* targets = desk.scratch.take<CellBoxes>(cells);
   std::size_t crowded = 0;
   for (std::uint32_t i = 0; i < cells; ++i) crowded += counts[i] > kLargestCell ? counts[i] : 0;
-  Aabb* boxes = desk.scratch.take<Aabb>(crowded);
-  auto* tags = desk.scratch.take<std::uint32_t>(crowded);
+  auto* boxes = desk.scratch.take<TaggedBox>(crowded);
   for (std::uint32_t i = 0; i < cells; ++i) {
-    targets[i] = Target{};
+    targets[i] = CellBoxes{};
     if (counts[i] > kLargestCell) {
       targets[i].boxes = boxes;
-      targets[i].tags = tags;
       boxes += counts[i];
-      tags += counts[i];
     } else if (counts[i] > 0) {
-      targets[i].cell = new_cell(desk.cells, counts[i]);
+      targets[i] = new_cell(desk.cells, counts[i], kernels_.lanes);
     }
-    targets[i].cell.count = counts[i];
+    targets[i].count = counts[i];
     desk.copies += counts[i];
   }
   return targets;
 }
 
-void TreeBuilder::finish_cell(const Target& target, Cell& cell, Desk& desk, unsigned depth) const {
-  cell = Cell{target.cell, nullptr};
-  if (target.boxes != nullptr) {
-    return build_inside({target.boxes, target.tags, target.cell.count}, cell, desk, depth);
-  }
-  find_pairs(cell.boxes, desk);
+void TreeBuilder::finish_cell(const CellBoxes& target, Cell& cell, Desk& desk, unsigned depth) const {
+  if (target.count > kLargestCell) return build_inside(target, cell, desk, depth);
+  cell = Cell{target, nullptr};
+  find_pairs(target, desk);
 }
 
 void TreeBuilder::find_pairs(const CellBoxes& cell, Desk& desk) const {
@@ -191,36 +164,34 @@ void TreeBuilder::find_pairs(const CellBoxes& cell, Desk& desk) const {
   }
 }
 
-void TreeBuilder::build_inside(const Boxes& boxes, Cell& cell, Desk& desk, unsigned depth) const {
-  const GridChoice choice = depth < kDeepest ? choose_grid(boxes) : GridChoice{};
+void TreeBuilder::build_inside(const CellBoxes& boxes, Cell& cell, Desk& desk, unsigned depth) const {
+  const GridChoice choice = depth < kDeepest ? choose_grid(Boxes(boxes)) : GridChoice{};
   if (!choice.pays) return keep_whole(boxes, cell, desk);
   cell.boxes = CellBoxes{};
   cell.node = desk.cells.take<Node>(1);
   *cell.node = Node{choice.grid, nullptr};
-  split(boxes, *cell.node, desk, depth);
+  split(Boxes(boxes), *cell.node, desk, depth);
 }
 
 void TreeBuilder::split(const Boxes& boxes, Node& node, Desk& desk, unsigned depth) const {
   const ArenaScope scope(desk.scratch);
   const std::uint32_t cells = node.grid.cells();
-  const Share all{0, boxes.count};
+  const Share all{0, boxes.count()};
   auto* counts = desk.scratch.take<std::uint32_t>(cells);
   std::fill_n(counts, cells, 0);
   const auto copies = list_copies(boxes, all, node.grid, counts, desk.scratch);
-  desk.copies -= boxes.count;
-  const Target* targets = make_targets(counts, cells, desk);
+  desk.copies -= boxes.count();
+  const CellBoxes* targets = make_targets(counts, cells, desk);
   std::fill_n(counts, cells, 0);
   fill(boxes, copies, targets, counts);
   node.cells = desk.cells.take<Cell>(cells);
   for (std::uint32_t i = 0; i < cells; ++i) finish_cell(targets[i], node.cells[i], desk, depth + 1);
 }
 
-void TreeBuilder::keep_whole(const Boxes& boxes, Cell& cell, Desk& desk) const {
-  cell.boxes = new_cell(desk.cells, boxes.count);
-  cell.boxes.count = static_cast<std::uint32_t>(boxes.count);
-  for (std::size_t i = 0; i < boxes.count; ++i) {
-    put(cell.boxes, static_cast<std::uint32_t>(i), boxes.boxes[i], boxes.tags[i]);
-  }
+void TreeBuilder::keep_whole(const CellBoxes& boxes, Cell& cell, Desk& desk) const {
+  cell = Cell{new_cell(desk.cells, boxes.count, kernels_.lanes), nullptr};
+  cell.boxes.count = boxes.count;
+  std::copy_n(boxes.boxes, boxes.count, cell.boxes.boxes);
   find_pairs(cell.boxes, desk);
 }
 

@@ -21,13 +21,6 @@ class TreeBuilder {
   void build(const Boxes& boxes, Node& root);
 
  private:
-  // A cell while boxes are put into it: `boxes` and `tags` for one that is cut again.
-  struct Target {
-    CellBoxes cell;
-    Aabb* boxes = nullptr;
-    std::uint32_t* tags = nullptr;
-  };
-
   // A box on its way into a cell: its place in the list of boxes, the cell, and above that the flags to be
   // left in its tag.
   struct Copy {
@@ -37,14 +30,14 @@ class TreeBuilder {
 
   std::span<const Copy> list_copies(const Boxes& boxes, Share share, const Grid& grid, std::uint32_t* counts,
                                     Arena& arena) const;
-  void fill(const Boxes& boxes, std::span<const Copy> copies, const Target* targets,
+  void fill(const Boxes& boxes, std::span<const Copy> copies, const CellBoxes* targets,
             std::uint32_t* places) const;
-  Target* make_targets(const std::uint32_t* counts, std::uint32_t cells, Desk& desk) const;
-  void finish_cell(const Target& target, Cell& cell, Desk& desk, unsigned depth) const;
-  void build_inside(const Boxes& boxes, Cell& cell, Desk& desk, unsigned depth) const;
+  CellBoxes* make_targets(const std::uint32_t* counts, std::uint32_t cells, Desk& desk) const;
+  void finish_cell(const CellBoxes& target, Cell& cell, Desk& desk, unsigned depth) const;
+  void build_inside(const CellBoxes& boxes, Cell& cell, Desk& desk, unsigned depth) const;
   void split(const Boxes& boxes, Node& node, Desk& desk, unsigned depth) const;
   void find_pairs(const CellBoxes& cell, Desk& desk) const;
-  void keep_whole(const Boxes& boxes, Cell& cell, Desk& desk) const;
+  void keep_whole(const CellBoxes& boxes, Cell& cell, Desk& desk) const;
 
   Pool& pool_;
   const Kernels& kernels_;
@@ -53,7 +46,7 @@ class TreeBuilder {
   bool collects_;
 };
 
-/// Room for `count` boxes and some more.
-CellBoxes new_cell(Arena& arena, std::size_t count);
+/// Room for `count` boxes and some more, in whole vectors of `lanes`.
+CellBoxes new_cell(Arena& arena, std::size_t count, unsigned lanes);
 
 }  // namespace cellsweep::stream

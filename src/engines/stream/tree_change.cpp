@@ -8,37 +8,18 @@
 namespace cellsweep::stream {
 namespace {
 
-constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
-
-// Places and tags of boxes within a cell, for both of its states.
-void set_box(const CellBoxes& cell, std::uint32_t place, const Aabb& box) {
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    cell.faces(axis)[place] = box.min[axis];
-    cell.faces(axis + 3)[place] = box.max[axis];
-  }
-}
-
-void set_nowhere(const CellBoxes& cell, std::uint32_t place) {
-  for (unsigned face = 0; face < 6; ++face) cell.faces(face)[place] = kNowhere;
-}
-
-void copy_boxes(const CellBoxes& from, const CellBoxes& to) {
-  for (unsigned face = 0; face < 6; ++face) std::copy_n(from.faces(face), from.count, to.faces(face));
-  std::copy_n(from.tags(), from.count, to.tags());
-}
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr Aabb kNowhere = {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
 
 std::uint32_t place_of(const CellBoxes& cell, std::uint32_t slot) {
-  const std::uint32_t* tags = cell.tags();
   std::uint32_t place = 0;
-  while ((tags[place] & kSlotMask) != slot) ++place;
+  while ((cell.boxes[place].tag & kSlotMask) != slot) ++place;
   return place;
 }
 
 // The last box takes the place.
 void take_out(CellBoxes& cell, std::uint32_t place) {
-  --cell.count;
-  for (unsigned face = 0; face < 6; ++face) cell.faces(face)[place] = cell.faces(face)[cell.count];
-  cell.tags()[place] = cell.tags()[cell.count];
+  cell.boxes[place] = cell.boxes[--cell.count];
 }
 
 }  // namespace
@@ -154,9 +135,9 @@ void TreeChanger::change_node(std::span<const Visit> visits, Node& node, Desk& d
 }
 
 CellBoxes TreeChanger::copy_with_room(const CellBoxes& cell, std::uint32_t more, Arena& arena) const {
-  CellBoxes copy = new_cell(arena, std::size_t{cell.count} + more);
+  CellBoxes copy = new_cell(arena, std::size_t{cell.count} + more, kernels_.lanes);
   copy.count = cell.count;
-  if (cell.count > 0) copy_boxes(cell, copy);
+  std::copy_n(cell.boxes, cell.count, copy.boxes);
   return copy;
 }
 
@@ -172,16 +153,9 @@ void TreeChanger::change_boxes(std::span<const Visit> visits, CellBoxes& cell, D
     const Change& change = changes_[visit.change];
     const std::uint32_t place = is_new(visit) ? cell.count++ : place_of(cell, change.slot);
     changed[v] = place;
-    cell.tags()[place] = change.slot | std::uint32_t{visit.new_flags} % kThere << kSlotBits;
-    if (is_new(visit)) {
-      set_nowhere(old, place);
-      old.tags()[place] = change.slot;
-    }
-    if (visit.new_flags == 0) {
-      set_nowhere(cell, place);
-    } else {
-      set_box(cell, place, change.new_box);
-    }
+    if (is_new(visit)) old.boxes[place] = {kNowhere, change.slot, 0};
+    cell.boxes[place] = {visit.new_flags == 0 ? kNowhere : change.new_box,
+                         change.slot | std::uint32_t{visit.new_flags} % kThere << kSlotBits, 0};
   }
   old.count = cell.count;
   auto* rank = desk.scratch.take<std::uint32_t>(cell.count);

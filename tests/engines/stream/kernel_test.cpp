@@ -20,36 +20,20 @@ using contract::Random;
 /// A cell with memory of its own.
 class TestCell {
  public:
-  explicit TestCell(std::uint32_t count) {
-    boxes_.count = count;
-    boxes_.capacity = std::max((count + 7) / 8 * 8, kMaxLanes);
-    memory_.resize(cell_elements(boxes_.capacity) + kMaxLanes);
-    boxes_.arrays = memory_.data();
+  explicit TestCell(std::uint32_t count) : memory_((count + kMaxLanes - 1) / kMaxLanes * kMaxLanes) {
+    boxes_ = {memory_.data(), count, static_cast<std::uint32_t>(memory_.size())};
   }
   TestCell(const TestCell& other) : memory_(other.memory_), boxes_(other.boxes_) {
-    boxes_.arrays = memory_.data();
+    boxes_.boxes = memory_.data();
   }
 
-  void set(std::uint32_t place, const Aabb& box, std::uint32_t tag) {
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      boxes_.faces(axis)[place] = box.min[axis];
-      boxes_.faces(axis + 3)[place] = box.max[axis];
-    }
-    boxes_.tags()[place] = tag;
-  }
-  Aabb box(std::uint32_t place) const {
-    Aabb box;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      box.min[axis] = boxes_.faces(axis)[place];
-      box.max[axis] = boxes_.faces(axis + 3)[place];
-    }
-    return box;
-  }
-  std::uint32_t tag(std::uint32_t place) const { return boxes_.tags()[place]; }
+  void set(std::uint32_t place, const Aabb& box, std::uint32_t tag) { memory_[place] = {box, tag, 0}; }
+  const Aabb& box(std::uint32_t place) const { return memory_[place].box; }
+  std::uint32_t tag(std::uint32_t place) const { return memory_[place].tag; }
   const CellBoxes& boxes() const { return boxes_; }
 
  private:
-  std::vector<float> memory_;
+  std::vector<TaggedBox> memory_;
   CellBoxes boxes_;
 };
 

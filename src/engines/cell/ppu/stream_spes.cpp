@@ -14,9 +14,10 @@ constexpr unsigned kDefaultSpus = 3;
 constexpr unsigned kMostSpus = 16;
 /// Pairs that an SPU may send before the host takes them.
 constexpr std::uint32_t kRoom = 16 * kStreamPairs;
-constexpr std::uint64_t kBlockBytes = std::uint64_t{7} * 4 * kStreamBlock;
+constexpr std::uint64_t kBlockBytes = std::uint64_t{4} * kStreamWords * kStreamBlock;
 
 static_assert(kTagBits == stream::kSlotBits);
+static_assert(sizeof(stream::TaggedBox) == 4 * kStreamWords);
 
 std::uint64_t key_of(std::uint32_t slot, std::uint32_t other, const BodyId* ids) {
   if (ids != nullptr) return pair_key(make_pair_of(ids[slot], ids[other]));
@@ -38,7 +39,8 @@ std::vector<LocalStorePart> stream_buffers(std::uint64_t) {
   return {{"job and result", sizeof(StreamJob) + sizeof(StreamResult)},
           {"pieces", kStreamPieces * sizeof(StreamPiece)},
           {"two chunks of pairs", std::uint64_t{2} * kStreamPairs * 8},
-          {"four blocks of boxes", 4 * kBlockBytes}};
+          {"four blocks of boxes", 4 * kBlockBytes},
+          {"two blocks by coordinate", 2 * kBlockBytes}};
 }
 
 Result<std::unique_ptr<stream::PieceFinder>> StreamSpes::make(const EngineOptions& options,
@@ -74,8 +76,8 @@ void StreamSpes::share_out(std::span<const stream::CellBoxes> cells) {
     if (cell.count < 2) continue;
     for (std::uint32_t first = 0; first < cell.count; first += kStreamBlock) {
       for (std::uint32_t second = first; second < cell.count; second += kStreamBlock) {
-        shares_[next++ % shares_.size()].pieces.push_back({wire_address(cell.arrays), cell.capacity, first,
-                                                           count_from(first), second, count_from(second), 0});
+        shares_[next++ % shares_.size()].pieces.push_back(
+            {wire_address(cell.boxes), first, count_from(first), second, count_from(second), {}});
       }
     }
   }

@@ -27,7 +27,37 @@ inline void add_lanes(std::uint32_t lanes, std::uint32_t first, std::uint32_t ta
   }
 }
 
+/// The first halves of two vectors in turns, and the second ones.
+inline vec_float4 first_halves(vec_float4 a, vec_float4 b) {
+  const vec_uchar16 pattern = {0, 1, 2, 3, 16, 17, 18, 19, 4, 5, 6, 7, 20, 21, 22, 23};
+  return spu_shuffle(a, b, pattern);
+}
+inline vec_float4 second_halves(vec_float4 a, vec_float4 b) {
+  const vec_uchar16 pattern = {8, 9, 10, 11, 24, 25, 26, 27, 12, 13, 14, 15, 28, 29, 30, 31};
+  return spu_shuffle(a, b, pattern);
+}
+
+/// The same half of four boxes: `boxes` is the first one's. The columns go to arrays that follow each other.
+inline void transpose_four(const vec_float4* boxes, vec_float4* column) {
+  constexpr unsigned int kNext = kStreamBlock / 4;
+  const vec_float4 low = first_halves(boxes[0], boxes[4]);
+  const vec_float4 low_other = first_halves(boxes[2], boxes[6]);
+  const vec_float4 high = second_halves(boxes[0], boxes[4]);
+  const vec_float4 high_other = second_halves(boxes[2], boxes[6]);
+  column[0] = first_halves(low, low_other);
+  column[kNext] = second_halves(low, low_other);
+  column[2 * kNext] = first_halves(high, high_other);
+  column[3 * kNext] = second_halves(high, high_other);
+}
+
 }  // namespace
+
+void Block::transpose() const {
+  for (std::uint32_t four = 0; 4 * four < count; ++four) {
+    transpose_four(boxes + 8 * four, arrays + four);
+    transpose_four(boxes + 8 * four + 1, arrays + kStreamBlock + four);
+  }
+}
 
 void add_row(const Block& block, std::uint32_t row, const Block& others, std::uint32_t from,
              PairStream& pairs) {

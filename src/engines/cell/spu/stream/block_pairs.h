@@ -8,20 +8,21 @@
 
 namespace cellsweep::cell {
 
-/// Seven arrays of kStreamBlock words: min x, y, z, max x, y, z, tag.
-inline constexpr unsigned int kStreamArrays = 7;
-
+/// Boxes as they come, two vectors each, and by coordinate: arrays of kStreamBlock words, min x, y, z,
+/// max x, y, z, tag.
 struct Block {
+  vec_float4* boxes;
   vec_float4* arrays;
   std::uint32_t count;
+
+  /// Fills the arrays.
+  void transpose() const;
 
   const vec_float4* array(unsigned int index) const { return arrays + index * (kStreamBlock / 4); }
   float value(unsigned int index, std::uint32_t box) const {
     return reinterpret_cast<const float*>(array(index))[box];
   }
-  std::uint32_t tag(std::uint32_t box) const {
-    return reinterpret_cast<const std::uint32_t*>(array(kStreamArrays - 1))[box];
-  }
+  std::uint32_t tag(std::uint32_t box) const { return reinterpret_cast<const std::uint32_t*>(array(6))[box]; }
 };
 
 /// Adds the pairs of box `row` of `block` with the boxes of `others` from `from` on that the cell owns.

@@ -13,7 +13,7 @@ constexpr unsigned int kLog2Align = 7;
 constexpr unsigned int kFirstPairTag = 2;  // pieces have 0 and 1
 constexpr unsigned int kJobTag = 4;
 constexpr unsigned int kAllTags = 31;
-constexpr unsigned int kBlockBytes = kStreamArrays * 4 * kStreamBlock;
+constexpr unsigned int kBlockVectors = kStreamWords / 4 * kStreamBlock;
 
 void* allocate(unsigned int bytes) {
   return _malloc_align(bytes, kLog2Align);
@@ -21,11 +21,9 @@ void* allocate(unsigned int bytes) {
 
 void get_block(const StreamPiece& piece, std::uint32_t first, Block& block, std::uint32_t count,
                unsigned int tag) {
+  constexpr unsigned int kBoxBytes = 4 * kStreamWords;
   block.count = count;
-  for (unsigned int array = 0; array < kStreamArrays; ++array) {
-    const unsigned long long ea = ea_of(piece.boxes) + 4ULL * (array * piece.capacity + first);
-    get_all(block.arrays + array * (kStreamBlock / 4), ea, 4 * round_up(count, kLanes), tag);
-  }
+  get_all(block.boxes, ea_of(piece.boxes) + 1ULL * kBoxBytes * first, kBoxBytes * count, tag);
 }
 
 /// The two blocks of a piece.
@@ -41,6 +39,8 @@ struct Blocks {
   /// Compares from row `row` on; false when the pairs' room is full, `row` saying how far it came.
   bool compare(const StreamPiece& piece, std::uint32_t& row, PairStream& pairs) const {
     const bool same = piece.second == piece.first;
+    one.transpose();
+    if (!same) other.transpose();
     for (; row < one.count; ++row) {
       if (!pairs.has_room()) return false;
       add_row(one, row, same ? one : other, same ? row + 1 : 0, pairs);
@@ -89,19 +89,21 @@ int main(unsigned long long, unsigned long long argp, unsigned long long) {
   auto* result = static_cast<StreamResult*>(allocate(sizeof(StreamResult)));
   auto* pieces = static_cast<StreamPiece*>(allocate(kStreamPieces * sizeof(StreamPiece)));
   auto* chunks = static_cast<std::uint32_t*>(allocate(2 * kStreamPairs * 8));
-  auto* arrays = static_cast<vec_float4*>(allocate(4 * kBlockBytes));
+  auto* boxes = static_cast<vec_float4*>(allocate(4 * kBlockVectors * 16));
+  auto* arrays = static_cast<vec_float4*>(allocate(2 * kBlockVectors * 16));
   get_all(job, argp, sizeof(StreamJob), kJobTag);
   wait_for_tag(kJobTag);
   Blocks blocks[2];
   for (unsigned int i = 0; i < 2; ++i) {
-    blocks[i].one = {arrays + 2 * i * (kBlockBytes / 16), 0};
-    blocks[i].other = {arrays + (2 * i + 1) * (kBlockBytes / 16), 0};
+    blocks[i].one = {boxes + 2 * i * kBlockVectors, arrays, 0};
+    blocks[i].other = {boxes + (2 * i + 1) * kBlockVectors, arrays + kBlockVectors, 0};
   }
   PairStream pairs(chunks, *job, kFirstPairTag);
   *result = compare_all(*job, pieces, blocks, pairs);
   put_all(result, ea_of(job->result), sizeof(StreamResult), kJobTag);
   wait_for_tag(kJobTag);
   _free_align(arrays);
+  _free_align(boxes);
   _free_align(chunks);
   _free_align(pieces);
   _free_align(result);
