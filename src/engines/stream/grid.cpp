@@ -11,4 +11,14 @@ Grid::Grid(const double (&origin)[3], const double (&scale)[3], const std::uint3
   }
 }
 
+GridNumbers Grid::numbers() const {
+  GridNumbers numbers{{}, {}, {}, row_, plane_};
+  for (int axis = 0; axis < 3; ++axis) {
+    numbers.origin[axis] = origin_min_[axis];
+    numbers.scale[axis] = scale_min_[axis];
+    numbers.top[axis] = top_min_[axis];
+  }
+  return numbers;
+}
+
 }  // namespace cellsweep::stream

@@ -23,6 +23,8 @@ class Boxes {
         step_(sizeof(TaggedBox)) {}
 
   std::size_t count() const { return count_; }
+  /// Bytes from one to the next.
+  std::size_t step() const { return step_; }
   const Aabb& operator[](std::size_t place) const {
     return *reinterpret_cast<const Aabb*>(first_ + place * step_);
   }
@@ -34,7 +36,7 @@ class Boxes {
  private:
   const std::byte* first_;
   std::size_t count_;
-  std::size_t step_;  // bytes from one to the next
+  std::size_t step_;
 };
 static_assert(offsetof(TaggedBox, box) == 0);
 
@@ -47,8 +49,6 @@ struct CellBlock {
 
   bool is_one() const { return (more_x | more_y | more_z) == 0; }
   std::uint32_t cells() const { return (more_x + 1) * (more_y + 1) * (more_z + 1); }
-  /// The flags, as in tags, of the second of two cells.
-  std::uint32_t second_flags() const { return kWholeFlags ^ (more_x | more_y << 1 | more_z << 2); }
   friend bool operator==(const CellBlock&, const CellBlock&) = default;
 };
 
@@ -66,6 +66,8 @@ class Grid {
 
   std::uint32_t cells() const { return cells_; }
 
+  GridNumbers numbers() const;
+
   CellBlock block_of(const Aabb& box) const {
     const Int4 low = cells_of(load4(box, 0), origin_min_, scale_min_, top_min_);
     const Int4 high = cells_of(load4(box, 2), origin_max_, scale_max_, top_max_);
@@ -74,11 +76,6 @@ class Grid {
     const auto z = static_cast<std::uint32_t>(low[2]);
     return {x + row_ * y + plane_ * z, static_cast<std::uint32_t>(high[1]) - x,
             static_cast<std::uint32_t>(high[2]) - y, static_cast<std::uint32_t>(high[3]) - z};
-  }
-
-  /// The second cell of a block of two; the first of a block of one.
-  std::uint32_t second_cell(const CellBlock& block) const {
-    return block.first + block.more_x + block.more_y * row_ + block.more_z * plane_;
   }
 
   /// Calls `visit(cell, flags)` for each cell of a block, flags as in tags: the axes on which the box starts

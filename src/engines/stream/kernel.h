@@ -37,6 +37,25 @@ struct CellBoxes {
   std::uint32_t capacity = 0;
 };
 
+/// The numbers of a Grid: a coordinate's cell on an axis is (coordinate - origin) * scale, cut off below 0
+/// and above `top`; NaN is 0. A cell's number is x + row * y + plane * z.
+struct GridNumbers {
+  float origin[3];
+  float scale[3];
+  float top[3];
+  std::uint32_t row;
+  std::uint32_t plane;
+};
+
+/// Into which cells eight boxes reach.
+struct alignas(32) EightBlocks {
+  static constexpr std::uint32_t kNobody = ~0U;
+
+  std::uint32_t first[8];   ///< the first cell, under the flags of a box that starts in it on all axes
+  std::uint32_t second[8];  ///< of two cells the second, under its flags; of one the same
+  std::uint32_t more[8];    ///< cells more on all axes together: 0, 1 and then not two; kNobody for NaN
+};
+
 /// Thrown where more pairs are found than asked for.
 struct TooManyPairs {};
 
@@ -68,6 +87,9 @@ struct Kernels {
   VectorIsa isa;
   const char* name;
   unsigned lanes;
+
+  /// Finds the cells of eight boxes that lie `step` bytes apart.
+  void (*eight_blocks)(const Aabb* boxes, std::size_t step, const GridNumbers& grid, EightBlocks& blocks);
 
   /// Appends every overlapping pair that the cell owns.
   void (*all_pairs)(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found);

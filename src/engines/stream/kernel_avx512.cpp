@@ -1,8 +1,8 @@
 #include <immintrin.h>
 
 #include "engines/stream/kernel_body.h"
+#include "engines/stream/kernel_eight_avx2.h"
 #include "engines/stream/kernel_sets.h"
-#include "engines/stream/kernel_transpose.h"
 
 namespace cellsweep::stream {
 namespace {
@@ -10,14 +10,15 @@ namespace {
 /// Sixteen boxes at a time.
 struct Avx512Lanes {
   static constexpr unsigned kCount = 16;
+  static constexpr auto eight_blocks = eight_blocks_at_once;
   using Vector = __m512;
   using Mask = __mmask16;
 
   static void gather(const TaggedBox* boxes, Vector (&faces)[6]) {
     __m256 low[6];
     __m256 high[6];
-    gather_eight(boxes, low);
-    gather_eight(boxes + 8, high);
+    gather_eight(&boxes->box, sizeof(TaggedBox), low);
+    gather_eight(&boxes[8].box, sizeof(TaggedBox), high);
     for (unsigned face = 0; face < 6; ++face) {
       faces[face] = __builtin_shufflevector(low[face], high[face], 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
                                             13, 14, 15);

@@ -132,7 +132,7 @@ void changed_pairs(const CellBoxes& old, const CellBoxes& now, std::span<const s
 template <class Lanes>
 constexpr Kernels make_kernels(VectorIsa isa, const char* name) {
   static_assert(Lanes::kCount <= kMaxLanes);
-  return {isa, name, Lanes::kCount, all_pairs<Lanes>, changed_pairs<Lanes>};
+  return {isa, name, Lanes::kCount, Lanes::eight_blocks, all_pairs<Lanes>, changed_pairs<Lanes>};
 }
 
 }  // namespace

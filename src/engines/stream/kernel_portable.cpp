@@ -1,4 +1,5 @@
 #include "engines/stream/kernel_body.h"
+#include "engines/stream/kernel_eight.h"
 #include "engines/stream/kernel_sets.h"
 
 namespace cellsweep::stream {
@@ -7,6 +8,7 @@ namespace {
 /// Four boxes at a time in plain C++.
 struct PortableLanes {
   static constexpr unsigned kCount = 4;
+  static constexpr auto eight_blocks = eight_blocks_in_turn;
   struct Vector {
     float lane[kCount];
   };

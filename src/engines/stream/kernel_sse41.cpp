@@ -1,6 +1,7 @@
 #include <immintrin.h>
 
 #include "engines/stream/kernel_body.h"
+#include "engines/stream/kernel_eight.h"
 #include "engines/stream/kernel_sets.h"
 
 namespace cellsweep::stream {
@@ -9,6 +10,7 @@ namespace {
 /// Four boxes at a time.
 struct Sse41Lanes {
   static constexpr unsigned kCount = 4;
+  static constexpr auto eight_blocks = eight_blocks_in_turn;
   using Vector = __m128;
   using Mask = __m128;
 

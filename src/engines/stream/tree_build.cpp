@@ -1,6 +1,7 @@
 #include "engines/stream/tree_build.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cellsweep::stream {
 namespace {
@@ -10,9 +11,8 @@ constexpr std::uint32_t kLargestCell = 160;
 /// Boxes that no cut tells apart are compared all with all from here on.
 constexpr unsigned kDeepest = 24;
 
-bool is_there(const Aabb& box) {
-  return box.min[0] <= box.max[0];
-}
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr Aabb kNobody = {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
 
 /// Turns each worker's counts into the places where it begins to write, and says how much a cell gets in all.
 void add_up(std::uint32_t* counts, unsigned workers, std::uint32_t cells, std::uint32_t* sums) {
@@ -91,31 +91,42 @@ void TreeBuilder::build(const Boxes& boxes, Node& root) {
   });
 }
 
+// Eight boxes from `first` on; behind the end there is nobody.
+void TreeBuilder::find_blocks(const Boxes& boxes, std::size_t first, std::size_t end, const GridNumbers& grid,
+                              EightBlocks& blocks) const {
+  if (end - first >= 8) return kernels_.eight_blocks(&boxes[first], boxes.step(), grid, blocks);
+  Aabb last[8];
+  std::fill_n(last, 8, kNobody);
+  for (std::size_t i = first; i < end; ++i) last[i - first] = boxes[i];
+  kernels_.eight_blocks(last, sizeof(Aabb), grid, blocks);
+}
+
 // Which box goes into which cells, and how many come into each. Whether a box reaches into one cell or two is
 // as good as random: no branch asks for it.
 std::span<const TreeBuilder::Copy> TreeBuilder::list_copies(const Boxes& boxes, Share share, const Grid& grid,
                                                             std::uint32_t* counts, Arena& arena) const {
   CopyList<Copy> list(arena, share.last - share.first);
+  const GridNumbers numbers = grid.numbers();
+  EightBlocks blocks;
   for (std::size_t i = share.first; i < share.last; ++i) {
-    const Aabb& box = boxes[i];
-    if (!is_there(box)) continue;
-    const CellBlock block = grid.block_of(box);
+    const std::size_t lane = (i - share.first) % 8;
+    if (lane == 0) find_blocks(boxes, i, share.last, numbers, blocks);
     const auto index = static_cast<std::uint32_t>(i);
-    if (const std::uint32_t cells = block.cells(); cells <= 2) {
-      const std::uint32_t second = grid.second_cell(block);
+    if (const std::uint32_t more = blocks.more[lane]; more <= 1) {
       Copy* to = list.room(2);
-      to[0] = {index, block.first | kWholeFlags << kSlotBits};
-      to[1] = {index, second | block.second_flags() << kSlotBits};
-      ++counts[block.first];
-      counts[second] += cells - 1;
-      list.added(cells);
-    } else {
-      Copy* to = list.room(cells);
+      to[0] = {index, blocks.first[lane]};
+      to[1] = {index, blocks.second[lane]};
+      ++counts[blocks.first[lane] & kSlotMask];
+      counts[blocks.second[lane] & kSlotMask] += more;
+      list.added(1 + more);
+    } else if (more != EightBlocks::kNobody) {
+      const CellBlock block = grid.block_of(boxes[i]);
+      Copy* to = list.room(block.cells());
       grid.for_each_cell(block, [&](std::uint32_t cell, std::uint32_t flags) {
         *to++ = {index, cell | flags << kSlotBits};
         ++counts[cell];
       });
-      list.added(cells);
+      list.added(block.cells());
     }
   }
   return list.view();

@@ -28,6 +28,8 @@ class TreeBuilder {
     std::uint32_t cell_and_flags;
   };
 
+  void find_blocks(const Boxes& boxes, std::size_t first, std::size_t end, const GridNumbers& grid,
+                   EightBlocks& blocks) const;
   std::span<const Copy> list_copies(const Boxes& boxes, Share share, const Grid& grid, std::uint32_t* counts,
                                     Arena& arena) const;
   void fill(const Boxes& boxes, std::span<const Copy> copies, const CellBoxes* targets,

@@ -5,17 +5,22 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <vector>
 
 #include "contract/random.h"
+#include "engines/stream/grid.h"
 #include "engines/stream/pair_list.h"
 
 namespace cellsweep::stream {
 namespace {
 
 using contract::Random;
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr Aabb kNobody = {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
 
 /// A cell with memory of its own.
 class TestCell {
@@ -128,6 +133,42 @@ TEST_P(KernelOf, FindsWhichPairsBeganAndEnded) {
                             {began_keys.buffer(), ended_keys.buffer()});
     ASSERT_EQ(sorted(began_keys), began) << count << " boxes";
     ASSERT_EQ(sorted(ended_keys), ended) << count << " boxes";
+  }
+}
+
+// Some of them outside of the grid, some without a body, next to each other and with tags in between.
+TEST_P(KernelOf, FindsTheCellsOfEightBoxesThatTheGridFinds) {
+  Random random(3);
+  const Grid grid({1, -2, 0.5}, {0.9, 1.7, 0.25}, {7, 5, 9});
+  for (int round = 0; round < 500; ++round) {
+    Aabb boxes[8];
+    TaggedBox tagged[8];
+    for (unsigned i = 0; i < 8; ++i) {
+      boxes[i] = random.one_in(9) ? kNobody : random_box(random);
+      tagged[i] = {boxes[i], i, 0};
+    }
+    EightBlocks blocks;
+    EightBlocks of_tagged;
+    kernels_->eight_blocks(boxes, sizeof(Aabb), grid.numbers(), blocks);
+    kernels_->eight_blocks(&tagged[0].box, sizeof(TaggedBox), grid.numbers(), of_tagged);
+    for (unsigned i = 0; i < 8; ++i) {
+      ASSERT_EQ(blocks.more[i], of_tagged.more[i]);
+      if (std::isnan(boxes[i].min[0])) {
+        ASSERT_EQ(blocks.more[i], EightBlocks::kNobody);
+        continue;
+      }
+      std::vector<std::uint32_t> cells;
+      grid.for_each_cell(grid.block_of(boxes[i]), [&](std::uint32_t cell, std::uint32_t flags) {
+        cells.push_back(cell | flags << kSlotBits);
+      });
+      ASSERT_EQ(blocks.more[i] <= 1, cells.size() <= 2);
+      ASSERT_EQ(blocks.first[i], cells.front());
+      ASSERT_EQ(of_tagged.first[i], cells.front());
+      if (cells.size() > 2) continue;
+      ASSERT_EQ(blocks.more[i], cells.size() - 1);
+      ASSERT_EQ(blocks.second[i], cells.back());
+      ASSERT_EQ(of_tagged.second[i], cells.back());
+    }
   }
 }
 
