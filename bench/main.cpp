@@ -9,6 +9,7 @@
 
 #include "bench/context.h"
 #include "bench/engine_suite.h"
+#include "bench/threads_suite.h"
 #ifdef CELLSWEEP_CELL_ENGINES
 #include "bench/cell_suite.h"
 #include "bench/first_attempt_suite.h"
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
   int count = static_cast<int>(arguments.size());
   cellsweep::bench::add_context();
   cellsweep::bench::register_engine_suite();
+  cellsweep::bench::register_threads_suite();
 #ifdef CELLSWEEP_CELL_ENGINES
   cellsweep::bench::register_cell_suite();
   cellsweep::bench::register_first_attempt_suite();
