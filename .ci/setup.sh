@@ -9,6 +9,7 @@ packages_for_clang=(clang libclang-rt-14-dev)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev)
 packages_for_cgal=(libcgal-dev libtbb-dev)
 packages_for_blade=(g++-powerpc64-linux-gnu qemu-user googletest)
+packages_for_avx512=(bochs bochs-term bochsbios vgabios isolinux syslinux-common genisoimage busybox-static)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -7,7 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <set>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "contract/random.h"
@@ -188,6 +193,29 @@ TEST(Kernels, TheBestAreThereAndTheWidestOfThoseThatThereAre) {
     EXPECT_TRUE(other == nullptr || best->lanes >= other->lanes);
   }
 }
+
+#ifdef __x86_64__
+/// What the operating system says that programs may use; empty where it does not say.
+std::set<std::string> processor_flags() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("flags")) continue;
+    std::istringstream words(line);
+    return {std::istream_iterator<std::string>(words), {}};
+  }
+  return {};
+}
+
+TEST(Kernels, TheBestAreTheWidestThatTheOperatingSystemLetsProgramsUse) {
+  const std::set<std::string> flags = processor_flags();
+  if (flags.empty()) GTEST_SKIP() << "no /proc/cpuinfo";
+  VectorIsa widest = VectorIsa::portable;
+  if (flags.contains("sse4_1")) widest = VectorIsa::sse41;
+  if (flags.contains("avx2")) widest = VectorIsa::avx2;
+  if (flags.contains("avx512f")) widest = VectorIsa::avx512;
+  EXPECT_EQ(find_kernels(VectorIsa::best)->isa, widest);
+}
+#endif
 
 }  // namespace
 }  // namespace cellsweep::stream
