@@ -7,10 +7,10 @@
 #include <memory>
 
 #include "cellsweep/engines.h"
-#include "engines/stream/body_store.h"
-#include "engines/stream/cell_tree.h"
-#include "engines/stream/overlap_list.h"
-#include "engines/stream/pair_list.h"
+#include "engines/stream/bodies/body_store.h"
+#include "engines/stream/cells/cell_tree.h"
+#include "engines/stream/pairs/overlap_list.h"
+#include "engines/stream/pairs/pair_list.h"
 #include "engines/stream/pool.h"
 
 namespace cellsweep::stream {

@@ -11,7 +11,7 @@
 #include "engines/cell/ppu/dma_memory.h"
 #include "engines/cell/ppu/spe_group.h"
 #include "engines/cell/stream_wire.h"
-#include "engines/stream/piece_finder.h"
+#include "engines/stream/cells/piece_finder.h"
 
 namespace cellsweep::cell {
 

@@ -1,0 +1,98 @@
+/// @file
+/// The cells of engine `stream`: grids in grids, whose innermost cells hold copies of the boxes that reach
+/// into them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "cellsweep/aabb.h"
+#include "engines/stream/cells/grid.h"
+#include "engines/stream/cells/piece_finder.h"
+#include "engines/stream/kernels/kernel.h"
+#include "engines/stream/memory/arena.h"
+#include "engines/stream/memory/memory.h"
+#include "engines/stream/pairs/pair_list.h"
+#include "engines/stream/pool.h"
+
+namespace cellsweep::stream {
+
+struct Node;
+
+/// Either boxes or, when they were too many, another grid.
+struct Cell {
+  CellBoxes boxes;
+  Node* node = nullptr;
+};
+
+/// A grid and its cells.
+struct Node {
+  Grid grid;
+  Cell* cells = nullptr;
+};
+
+/// A body whose box changed: where it was when the pairs were last found and where it is now.
+struct Change {
+  std::uint32_t slot = 0;
+  bool was = false;
+  bool is = false;
+  Aabb old_box{};
+  Aabb new_box{};
+};
+
+/// What one worker writes.
+struct alignas(64) Desk {
+  Arena cells;                  // of the tree, kept until the next build
+  Arena scratch;                // of the job at hand
+  Vector<CellBoxes> collected;  // for a PieceFinder
+  Keys found;
+  Keys began;
+  Keys ended;
+  std::uint64_t copies = 0;  // boxes that this worker put into cells
+};
+
+/// Bodies' boxes in space, and the pairs among them.
+///
+/// The work is cut by the topmost grid: its cells, pieces of some hundred to a thousand boxes, go to
+/// whichever worker is free, and one worker does all that happens inside of one.
+class CellTree {
+ public:
+  /// `finder` finds the pairs of build(); null for the kernels to do so.
+  CellTree(Pool& pool, const Kernels& kernels, PieceFinder* finder = nullptr);
+
+  /// From now on build() and change() may throw TooManyPairs when they find more than this.
+  void limit_pairs(std::size_t most);
+
+  /// Makes the tree anew for boxes by slot (NaN where there is no body) and finds all pairs: found().
+  void build(const Boxes& boxes, const BodyId* ids);
+
+  /// Moves, adds and takes out bodies; finds the pairs that began and ended: began(), ended(). A pair may be
+  /// in both.
+  void change(std::span<const Change> changes, const BodyId* ids);
+
+  std::span<Keys* const> found() const { return found_; }
+  std::span<Keys* const> began() const { return began_; }
+  std::span<Keys* const> ended() const { return ended_; }
+
+  /// Cells of the topmost grid.
+  std::uint64_t pieces() const { return root_.grid.cells(); }
+  /// Boxes put into cells by the last build and since.
+  std::uint64_t copies() const;
+  /// Bytes held.
+  std::size_t bytes() const;
+
+ private:
+  Pool& pool_;
+  const Kernels& kernels_;
+  PieceFinder* finder_;
+  std::vector<std::unique_ptr<Desk>> desks_;
+  std::vector<Keys*> found_;
+  std::vector<Keys*> began_;
+  std::vector<Keys*> ended_;
+  Node root_;
+};
+
+}  // namespace cellsweep::stream

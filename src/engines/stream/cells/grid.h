@@ -1,0 +1,124 @@
+/// @file
+/// A grid of cells over part of the world, and how fine it should be.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "cellsweep/aabb.h"
+#include "engines/stream/bodies/box_lanes.h"
+#include "engines/stream/kernels/kernel.h"
+
+namespace cellsweep::stream {
+
+/// Boxes to be put into cells: those of a cell that is cut again, or all there are. Of these, a box's place
+/// is its slot, every minimum is inside, and boxes of slots without a body are NaN.
+class Boxes {
+ public:
+  Boxes(const Aabb* boxes, std::size_t count)
+      : first_(reinterpret_cast<const std::byte*>(boxes)), count_(count), step_(sizeof(Aabb)) {}
+  explicit Boxes(const CellBoxes& cell)
+      : first_(reinterpret_cast<const std::byte*>(cell.boxes)),
+        count_(cell.count),
+        step_(sizeof(TaggedBox)) {}
+
+  std::size_t count() const { return count_; }
+  /// Bytes from one to the next.
+  std::size_t step() const { return step_; }
+  const Aabb& operator[](std::size_t place) const {
+    return *reinterpret_cast<const Aabb*>(first_ + place * step_);
+  }
+  std::uint32_t tag(std::size_t place) const {
+    if (step_ == sizeof(Aabb)) return static_cast<std::uint32_t>(place) | kWholeFlags << kSlotBits;
+    return reinterpret_cast<const TaggedBox*>(first_)[place].tag;
+  }
+
+ private:
+  const std::byte* first_;
+  std::size_t count_;
+  std::size_t step_;
+};
+static_assert(offsetof(TaggedBox, box) == 0);
+
+/// The block of cells that a box reaches into: the first one, and how many more on each axis.
+struct CellBlock {
+  std::uint32_t first = 0;
+  std::uint32_t more_x = 0;
+  std::uint32_t more_y = 0;
+  std::uint32_t more_z = 0;
+
+  bool is_one() const { return (more_x | more_y | more_z) == 0; }
+  std::uint32_t cells() const { return (more_x + 1) * (more_y + 1) * (more_z + 1); }
+  friend bool operator==(const CellBlock&, const CellBlock&) = default;
+};
+
+/// Cells that divide all of space: those at the border reach to infinity. Which cell a coordinate falls into
+/// never decreases with the coordinate, whatever rounding does; exactness rests on that and on nothing else.
+class Grid {
+ public:
+  /// One cell.
+  Grid() = default;
+
+  /// `dims[axis]` cells, 1 to kMaxDim, from `origin`, `scale[axis]` cells for each unit of length.
+  Grid(const double (&origin)[3], const double (&scale)[3], const std::uint32_t (&dims)[3]);
+
+  static constexpr std::uint32_t kMaxDim = 1023;
+
+  std::uint32_t cells() const { return cells_; }
+
+  GridNumbers numbers() const;
+
+  CellBlock block_of(const Aabb& box) const {
+    const Int4 low = cells_of(load4(box, 0), origin_min_, scale_min_, top_min_);
+    const Int4 high = cells_of(load4(box, 2), origin_max_, scale_max_, top_max_);
+    const auto x = static_cast<std::uint32_t>(low[0]);
+    const auto y = static_cast<std::uint32_t>(low[1]);
+    const auto z = static_cast<std::uint32_t>(low[2]);
+    return {x + row_ * y + plane_ * z, static_cast<std::uint32_t>(high[1]) - x,
+            static_cast<std::uint32_t>(high[2]) - y, static_cast<std::uint32_t>(high[3]) - z};
+  }
+
+  /// Calls `visit(cell, flags)` for each cell of a block, flags as in tags: the axes on which the box starts
+  /// in the cell.
+  template <class Visit>
+  void for_each_cell(const CellBlock& block, Visit&& visit) const {
+    if (block.is_one()) return visit(block.first, kWholeFlags);
+    for (std::uint32_t z = 0; z <= block.more_z; ++z) {
+      for (std::uint32_t y = 0; y <= block.more_y; ++y) {
+        const std::uint32_t row = block.first + z * plane_ + y * row_;
+        const std::uint32_t flags = (y == 0 ? 2U : 0U) | (z == 0 ? 4U : 0U);
+        for (std::uint32_t x = 0; x <= block.more_x; ++x) visit(row + x, flags | (x == 0 ? 1U : 0U));
+      }
+    }
+  }
+
+ private:
+  // NaN, which a lane without use may hold, becomes 0.
+  static Int4 cells_of(Float4 coordinates, Float4 origin, Float4 scale, Float4 top) {
+    const Float4 zero{};
+    Float4 cells = (coordinates - origin) * scale;
+    cells = cells > zero ? cells : zero;
+    cells = cells < top ? cells : top;
+    return __builtin_convertvector(cells, Int4);
+  }
+
+  // Minima lie in lanes 0 to 2 of a load, maxima in lanes 1 to 3 of another.
+  Float4 origin_min_{};
+  Float4 origin_max_{};
+  Float4 scale_min_{};
+  Float4 scale_max_{};
+  Float4 top_min_{};
+  Float4 top_max_{};
+  std::uint32_t row_ = 1;    // cells from one to the next along y
+  std::uint32_t plane_ = 1;  // and along z
+  std::uint32_t cells_ = 1;
+};
+
+/// A grid for these boxes, chosen on a sample of them, and whether cutting is expected to pay.
+struct GridChoice {
+  Grid grid;
+  bool pays = false;
+};
+GridChoice choose_grid(const Boxes& boxes);
+
+}  // namespace cellsweep::stream

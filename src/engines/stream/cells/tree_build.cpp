@@ -1,0 +1,209 @@
+#include "engines/stream/cells/tree_build.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace cellsweep::stream {
+namespace {
+
+/// A cell with more boxes is cut again when that pays.
+constexpr std::uint32_t kLargestCell = 160;
+/// Boxes that no cut tells apart are compared all with all from here on.
+constexpr unsigned kDeepest = 24;
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr Aabb kNobody = {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
+
+/// Turns each worker's counts into the places where it begins to write, and says how much a cell gets in all.
+void add_up(std::uint32_t* counts, unsigned workers, std::uint32_t cells, std::uint32_t* sums) {
+  for (std::uint32_t cell = 0; cell < cells; ++cell) {
+    std::uint32_t sum = 0;
+    for (unsigned worker = 0; worker < workers; ++worker) {
+      std::uint32_t& place = counts[std::size_t{worker} * cells + cell];
+      const std::uint32_t here = place;
+      place = sum;
+      sum += here;
+    }
+    sums[cell] = sum;
+  }
+}
+
+/// A list in an arena that nobody else takes from in the meantime. It moves when it outgrows its place.
+template <class T>
+class CopyList {
+ public:
+  CopyList(Arena& arena, std::size_t expected) : arena_(arena), capacity_(2 * expected + 64) {
+    list_ = arena_.take<T>(capacity_);
+  }
+
+  /// Where to write the next `count`.
+  T* room(std::size_t count) {
+    if (size_ + count > capacity_) grow(count);
+    return list_ + size_;
+  }
+  void added(std::size_t count) { size_ += count; }
+  std::span<const T> view() const { return {list_, size_}; }
+
+ private:
+  void grow(std::size_t count) {
+    capacity_ = 2 * capacity_ + count;
+    T* larger = arena_.take<T>(capacity_);
+    std::copy_n(list_, size_, larger);
+    list_ = larger;
+  }
+
+  Arena& arena_;
+  T* list_ = nullptr;
+  std::size_t size_ = 0;
+  std::size_t capacity_;
+};
+
+}  // namespace
+
+CellBoxes new_cell(Arena& arena, std::size_t count, unsigned lanes) {
+  CellBoxes cell;
+  cell.capacity = static_cast<std::uint32_t>((count + count / 16 + lanes - 1) / lanes * lanes);
+  cell.boxes = arena.take<TaggedBox>(cell.capacity);
+  return cell;
+}
+
+void TreeBuilder::build(const Boxes& boxes, Node& root) {
+  const GridChoice choice = choose_grid(boxes);
+  root.grid = choice.pays ? choice.grid : Grid();
+  const std::uint32_t cells = root.grid.cells();
+  const unsigned workers = pool_.active();
+  Desk& desk = *desks_[0];
+  auto* counts = desk.scratch.take<std::uint32_t>(std::size_t{workers} * cells);
+  auto* sums = desk.scratch.take<std::uint32_t>(cells);
+  std::fill_n(counts, std::size_t{workers} * cells, 0);
+  std::vector<std::span<const Copy>> copies(workers);
+  pool_.run([&](unsigned worker) {
+    copies[worker] = list_copies(boxes, Share::of(boxes.count(), worker, workers), root.grid,
+                                 counts + std::size_t{worker} * cells, desks_[worker]->scratch);
+  });
+  add_up(counts, workers, cells, sums);
+  const CellBoxes* targets = make_targets(sums, cells, desk);
+  root.cells = desk.cells.take<Cell>(cells);
+  pool_.run(
+      [&](unsigned worker) { fill(boxes, copies[worker], targets, counts + std::size_t{worker} * cells); });
+  pool_.for_each(cells, 4, [&](unsigned worker, std::size_t cell) {
+    finish_cell(targets[cell], root.cells[cell], *desks_[worker], 1);
+  });
+}
+
+// Eight boxes from `first` on; behind the end there is nobody.
+void TreeBuilder::find_blocks(const Boxes& boxes, std::size_t first, std::size_t end, const GridNumbers& grid,
+                              EightBlocks& blocks) const {
+  if (end - first >= 8) return kernels_.eight_blocks(&boxes[first], boxes.step(), grid, blocks);
+  Aabb last[8];
+  std::fill_n(last, 8, kNobody);
+  for (std::size_t i = first; i < end; ++i) last[i - first] = boxes[i];
+  kernels_.eight_blocks(last, sizeof(Aabb), grid, blocks);
+}
+
+// Which box goes into which cells, and how many come into each. Whether a box reaches into one cell or two is
+// as good as random: no branch asks for it.
+std::span<const TreeBuilder::Copy> TreeBuilder::list_copies(const Boxes& boxes, Share share, const Grid& grid,
+                                                            std::uint32_t* counts, Arena& arena) const {
+  CopyList<Copy> list(arena, share.last - share.first);
+  const GridNumbers numbers = grid.numbers();
+  EightBlocks blocks;
+  for (std::size_t i = share.first; i < share.last; ++i) {
+    const std::size_t lane = (i - share.first) % 8;
+    if (lane == 0) find_blocks(boxes, i, share.last, numbers, blocks);
+    const auto index = static_cast<std::uint32_t>(i);
+    if (const std::uint32_t more = blocks.more[lane]; more <= 1) {
+      Copy* to = list.room(2);
+      to[0] = {index, blocks.first[lane]};
+      to[1] = {index, blocks.second[lane]};
+      ++counts[blocks.first[lane] & kSlotMask];
+      counts[blocks.second[lane] & kSlotMask] += more;
+      list.added(1 + more);
+    } else if (more != EightBlocks::kNobody) {
+      const CellBlock block = grid.block_of(boxes[i]);
+      Copy* to = list.room(block.cells());
+      grid.for_each_cell(block, [&](std::uint32_t cell, std::uint32_t flags) {
+        *to++ = {index, cell | flags << kSlotBits};
+        ++counts[cell];
+      });
+      list.added(block.cells());
+    }
+  }
+  return list.view();
+}
+
+void TreeBuilder::fill(const Boxes& boxes, std::span<const Copy> copies, const CellBoxes* targets,
+                       std::uint32_t* places) const {
+  for (const Copy& copy : copies) {
+    const std::uint32_t cell = copy.cell_and_flags & kSlotMask;
+    const std::uint32_t tag = boxes.tag(copy.box) & (copy.cell_and_flags | kSlotMask);
+    targets[cell].boxes[places[cell]++] = {boxes[copy.box], tag, 0};
+  }
+}
+
+// Where the boxes of each cell are to be put: for good, or for as long as it takes to cut the cell again.
+CellBoxes* TreeBuilder::make_targets(const std::uint32_t* counts, std::uint32_t cells, Desk& desk) const {
+  auto* targets = desk.scratch.take<CellBoxes>(cells);
+  std::size_t crowded = 0;
+  for (std::uint32_t i = 0; i < cells; ++i) crowded += counts[i] > kLargestCell ? counts[i] : 0;
+  auto* boxes = desk.scratch.take<TaggedBox>(crowded);
+  for (std::uint32_t i = 0; i < cells; ++i) {
+    targets[i] = CellBoxes{};
+    if (counts[i] > kLargestCell) {
+      targets[i].boxes = boxes;
+      boxes += counts[i];
+    } else if (counts[i] > 0) {
+      targets[i] = new_cell(desk.cells, counts[i], kernels_.lanes);
+    }
+    targets[i].count = counts[i];
+    desk.copies += counts[i];
+  }
+  return targets;
+}
+
+void TreeBuilder::finish_cell(const CellBoxes& target, Cell& cell, Desk& desk, unsigned depth) const {
+  if (target.count > kLargestCell) return build_inside(target, cell, desk, depth);
+  cell = Cell{target, nullptr};
+  find_pairs(target, desk);
+}
+
+void TreeBuilder::find_pairs(const CellBoxes& cell, Desk& desk) const {
+  if (collects_) {
+    desk.collected.push_back(cell);
+  } else {
+    kernels_.all_pairs(cell, ids_, desk.found.buffer());
+  }
+}
+
+void TreeBuilder::build_inside(const CellBoxes& boxes, Cell& cell, Desk& desk, unsigned depth) const {
+  const GridChoice choice = depth < kDeepest ? choose_grid(Boxes(boxes)) : GridChoice{};
+  if (!choice.pays) return keep_whole(boxes, cell, desk);
+  cell.boxes = CellBoxes{};
+  cell.node = desk.cells.take<Node>(1);
+  *cell.node = Node{choice.grid, nullptr};
+  split(Boxes(boxes), *cell.node, desk, depth);
+}
+
+void TreeBuilder::split(const Boxes& boxes, Node& node, Desk& desk, unsigned depth) const {
+  const ArenaScope scope(desk.scratch);
+  const std::uint32_t cells = node.grid.cells();
+  const Share all{0, boxes.count()};
+  auto* counts = desk.scratch.take<std::uint32_t>(cells);
+  std::fill_n(counts, cells, 0);
+  const auto copies = list_copies(boxes, all, node.grid, counts, desk.scratch);
+  desk.copies -= boxes.count();
+  const CellBoxes* targets = make_targets(counts, cells, desk);
+  std::fill_n(counts, cells, 0);
+  fill(boxes, copies, targets, counts);
+  node.cells = desk.cells.take<Cell>(cells);
+  for (std::uint32_t i = 0; i < cells; ++i) finish_cell(targets[i], node.cells[i], desk, depth + 1);
+}
+
+void TreeBuilder::keep_whole(const CellBoxes& boxes, Cell& cell, Desk& desk) const {
+  cell = Cell{new_cell(desk.cells, boxes.count, kernels_.lanes), nullptr};
+  cell.boxes.count = boxes.count;
+  std::copy_n(boxes.boxes, boxes.count, cell.boxes.boxes);
+  find_pairs(cell.boxes, desk);
+}
+
+}  // namespace cellsweep::stream

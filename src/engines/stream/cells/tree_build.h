@@ -1,0 +1,54 @@
+/// @file
+/// Builds a CellTree and finds all pairs on the way, each cell's while its boxes are in the cache; or
+/// collects the cells whose pairs are to be found.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engines/stream/cells/cell_tree.h"
+
+namespace cellsweep::stream {
+
+class TreeBuilder {
+ public:
+  TreeBuilder(Pool& pool, const Kernels& kernels, std::span<const std::unique_ptr<Desk>> desks,
+              const BodyId* ids, bool collects)
+      : pool_(pool), kernels_(kernels), desks_(desks), ids_(ids), collects_(collects) {}
+
+  void build(const Boxes& boxes, Node& root);
+
+ private:
+  // A box on its way into a cell: its place in the list of boxes, the cell, and above that the flags to be
+  // left in its tag.
+  struct Copy {
+    std::uint32_t box;
+    std::uint32_t cell_and_flags;
+  };
+
+  void find_blocks(const Boxes& boxes, std::size_t first, std::size_t end, const GridNumbers& grid,
+                   EightBlocks& blocks) const;
+  std::span<const Copy> list_copies(const Boxes& boxes, Share share, const Grid& grid, std::uint32_t* counts,
+                                    Arena& arena) const;
+  void fill(const Boxes& boxes, std::span<const Copy> copies, const CellBoxes* targets,
+            std::uint32_t* places) const;
+  CellBoxes* make_targets(const std::uint32_t* counts, std::uint32_t cells, Desk& desk) const;
+  void finish_cell(const CellBoxes& target, Cell& cell, Desk& desk, unsigned depth) const;
+  void build_inside(const CellBoxes& boxes, Cell& cell, Desk& desk, unsigned depth) const;
+  void split(const Boxes& boxes, Node& node, Desk& desk, unsigned depth) const;
+  void find_pairs(const CellBoxes& cell, Desk& desk) const;
+  void keep_whole(const CellBoxes& boxes, Cell& cell, Desk& desk) const;
+
+  Pool& pool_;
+  const Kernels& kernels_;
+  std::span<const std::unique_ptr<Desk>> desks_;
+  const BodyId* ids_;
+  bool collects_;
+};
+
+/// Room for `count` boxes and some more, in whole vectors of `lanes`.
+CellBoxes new_cell(Arena& arena, std::size_t count, unsigned lanes);
+
+}  // namespace cellsweep::stream

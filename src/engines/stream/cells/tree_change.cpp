@@ -1,0 +1,171 @@
+#include "engines/stream/cells/tree_change.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "engines/stream/cells/tree_build.h"
+
+namespace cellsweep::stream {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr Aabb kNowhere = {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
+
+std::uint32_t place_of(const CellBoxes& cell, std::uint32_t slot) {
+  std::uint32_t place = 0;
+  while ((cell.boxes[place].tag & kSlotMask) != slot) ++place;
+  return place;
+}
+
+// The last box takes the place.
+void take_out(CellBoxes& cell, std::uint32_t place) {
+  cell.boxes[place] = cell.boxes[--cell.count];
+}
+
+}  // namespace
+
+TreeChanger::Visit TreeChanger::first_visit(const Change& change, std::size_t index) {
+  constexpr auto kWhole = static_cast<std::uint8_t>(kThere | kWholeFlags);
+  return {static_cast<std::uint32_t>(index), change.was ? kWhole : std::uint8_t{0},
+          change.is ? kWhole : std::uint8_t{0}};
+}
+
+// Visits of the cells inside: of those it was in first, and then of those it is in now, unless they are the
+// same.
+template <class Emit>
+void TreeChanger::for_each_visit(const Visit& visit, const Grid& grid, Emit&& emit) const {
+  const Change& change = changes_[visit.change];
+  const auto within = [](std::uint8_t flags, std::uint32_t inner) {
+    return flags == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(flags & (kThere | inner));
+  };
+  const CellBlock old_block = visit.old_flags != 0 ? grid.block_of(change.old_box) : CellBlock{};
+  const CellBlock new_block = visit.new_flags != 0 ? grid.block_of(change.new_box) : CellBlock{};
+  if (visit.old_flags == 0 || visit.new_flags == 0 || old_block == new_block) {
+    grid.for_each_cell(
+        visit.old_flags != 0 ? old_block : new_block, [&](std::uint32_t cell, std::uint32_t inner) {
+          emit(cell, Visit{visit.change, within(visit.old_flags, inner), within(visit.new_flags, inner)});
+        });
+    return;
+  }
+  grid.for_each_cell(old_block, [&](std::uint32_t cell, std::uint32_t inner) {
+    emit(cell, Visit{visit.change, within(visit.old_flags, inner), 0});
+  });
+  grid.for_each_cell(new_block, [&](std::uint32_t cell, std::uint32_t inner) {
+    emit(cell, Visit{visit.change, 0, within(visit.new_flags, inner)});
+  });
+}
+
+void TreeChanger::change(std::span<const Change> changes, Node& root) {
+  changes_ = changes;
+  const std::uint32_t cells = root.grid.cells();
+  const unsigned workers = pool_.active();
+  Arena& scratch = desks_[0]->scratch;
+  auto* places = scratch.take<std::uint32_t>(std::size_t{workers} * cells);
+  auto* first = scratch.take<std::uint32_t>(std::size_t{cells} + 1);
+  std::fill_n(places, std::size_t{workers} * cells, 0);
+  const auto for_share = [&](unsigned worker, auto&& emit) {
+    const Share share = Share::of(changes.size(), worker, workers);
+    for (std::size_t i = share.first; i < share.last; ++i) {
+      for_each_visit(first_visit(changes[i], i), root.grid, emit);
+    }
+  };
+  pool_.run([&](unsigned worker) {
+    std::uint32_t* counts = places + std::size_t{worker} * cells;
+    for_share(worker, [&](std::uint32_t cell, const Visit&) { ++counts[cell]; });
+  });
+  std::uint32_t sum = 0;
+  for (std::uint32_t cell = 0; cell < cells; ++cell) {
+    first[cell] = sum;
+    for (unsigned worker = 0; worker < workers; ++worker) {
+      std::uint32_t& place = places[std::size_t{worker} * cells + cell];
+      const std::uint32_t count = place;
+      place = sum;
+      sum += count;
+    }
+  }
+  first[cells] = sum;
+  auto* visits = scratch.take<Visit>(sum);
+  pool_.run([&](unsigned worker) {
+    std::uint32_t* place = places + std::size_t{worker} * cells;
+    for_share(worker, [&](std::uint32_t cell, const Visit& visit) { visits[place[cell]++] = visit; });
+  });
+  pool_.for_each(cells, 8, [&](unsigned worker, std::size_t cell) {
+    const std::span<Visit> here(visits + first[cell], first[cell + 1] - first[cell]);
+    if (!here.empty()) change_cell(here, root.cells[cell], *desks_[worker]);
+  });
+}
+
+// The two visits of a body that stays in a cell but not in all of its cells stand side by side.
+std::span<TreeChanger::Visit> TreeChanger::merge(std::span<Visit> visits) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    if (kept > 0 && visits[kept - 1].change == visits[i].change) {
+      visits[kept - 1].new_flags = visits[i].new_flags;
+    } else {
+      visits[kept++] = visits[i];
+    }
+  }
+  return visits.first(kept);
+}
+
+void TreeChanger::change_cell(std::span<Visit> visits, Cell& cell, Desk& desk) const {
+  const std::span<Visit> merged = merge(visits);
+  const ArenaScope scope(desk.scratch);
+  if (cell.node != nullptr) return change_node(merged, *cell.node, desk);
+  change_boxes(merged, cell.boxes, desk);
+}
+
+void TreeChanger::change_node(std::span<const Visit> visits, Node& node, Desk& desk) const {
+  const std::uint32_t cells = node.grid.cells();
+  auto* place = desk.scratch.take<std::uint32_t>(std::size_t{cells} + 1);
+  std::fill_n(place, std::size_t{cells} + 1, 0);
+  for (const Visit& visit : visits) {
+    for_each_visit(visit, node.grid, [&](std::uint32_t cell, const Visit&) { ++place[cell + 1]; });
+  }
+  for (std::uint32_t cell = 0; cell < cells; ++cell) place[cell + 1] += place[cell];
+  auto* inside = desk.scratch.take<Visit>(place[cells]);
+  for (const Visit& visit : visits) {
+    for_each_visit(visit, node.grid, [&](std::uint32_t cell, const Visit& v) { inside[place[cell]++] = v; });
+  }
+  std::uint32_t first = 0;
+  for (std::uint32_t cell = 0; cell < cells; ++cell) {
+    if (place[cell] > first) change_cell({inside + first, place[cell] - first}, node.cells[cell], desk);
+    first = place[cell];
+  }
+}
+
+CellBoxes TreeChanger::copy_with_room(const CellBoxes& cell, std::uint32_t more, Arena& arena) const {
+  CellBoxes copy = new_cell(arena, std::size_t{cell.count} + more, kernels_.lanes);
+  copy.count = cell.count;
+  std::copy_n(cell.boxes, cell.count, copy.boxes);
+  return copy;
+}
+
+void TreeChanger::change_boxes(std::span<const Visit> visits, CellBoxes& cell, Desk& desk) const {
+  const auto is_new = [](const Visit& visit) { return visit.old_flags == 0; };
+  const auto entering = static_cast<std::uint32_t>(std::count_if(visits.begin(), visits.end(), is_new));
+  CellBoxes old = copy_with_room(cell, entering, desk.scratch);
+  if (cell.count + entering > cell.capacity) cell = copy_with_room(cell, entering, desk.cells);
+  desk.copies += entering;
+  auto* changed = desk.scratch.take<std::uint32_t>(visits.size());
+  for (std::size_t v = 0; v < visits.size(); ++v) {
+    const Visit& visit = visits[v];
+    const Change& change = changes_[visit.change];
+    const std::uint32_t place = is_new(visit) ? cell.count++ : place_of(cell, change.slot);
+    changed[v] = place;
+    if (is_new(visit)) old.boxes[place] = {kNowhere, change.slot, 0};
+    cell.boxes[place] = {visit.new_flags == 0 ? kNowhere : change.new_box,
+                         change.slot | std::uint32_t{visit.new_flags} % kThere << kSlotBits, 0};
+  }
+  old.count = cell.count;
+  auto* rank = desk.scratch.take<std::uint32_t>(cell.count);
+  std::fill_n(rank, cell.count, ~0U);
+  for (std::uint32_t v = 0; v < visits.size(); ++v) rank[changed[v]] = v;
+  kernels_.changed_pairs(old, cell, {changed, visits.size()}, rank, ids_,
+                         {desk.began.buffer(), desk.ended.buffer()});
+  for (const Visit& visit : visits) {
+    if (visit.new_flags == 0) take_out(cell, place_of(cell, changes_[visit.change].slot));
+  }
+}
+
+}  // namespace cellsweep::stream

@@ -1,0 +1,139 @@
+/// @file
+/// The kernels for any vector: `Lanes` says how wide it is, gathers, broadcasts and compares.
+///
+/// Everything here has internal linkage and calls nothing of the standard library that is not in the header's
+/// own lines: the linker must not choose a function that was compiled for a larger instruction set.
+#pragma once
+
+#include "engines/stream/kernels/kernel.h"
+
+namespace cellsweep::stream {
+namespace {
+
+/// `Lanes::kCount` boxes side by side, to be compared with one other at a time.
+template <class Lanes>
+class Block {
+ public:
+  explicit Block(const TaggedBox* boxes) { Lanes::gather(boxes, faces_); }
+
+  /// Which of them a box overlaps, a bit each.
+  std::uint32_t hits(const Aabb& box) const {
+    auto all = Lanes::less_equal(faces_[0], Lanes::broadcast(&box.max[0]));
+    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(&box.min[0]), faces_[3]));
+    all = Lanes::both(all, Lanes::less_equal(faces_[1], Lanes::broadcast(&box.max[1])));
+    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(&box.min[1]), faces_[4]));
+    all = Lanes::both(all, Lanes::less_equal(faces_[2], Lanes::broadcast(&box.max[2])));
+    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(&box.min[2]), faces_[5]));
+    return Lanes::bits(all);
+  }
+
+ private:
+  typename Lanes::Vector faces_[6];
+};
+
+inline bool owns(std::uint32_t tag, std::uint32_t other) {
+  return (tag | other) >> kSlotBits == kWholeFlags;
+}
+
+inline std::uint64_t key_of(std::uint32_t tag, std::uint32_t other, const BodyId* ids) {
+  std::uint64_t a = tag & kSlotMask;
+  std::uint64_t b = other & kSlotMask;
+  if (ids != nullptr) {
+    a = ids[a];
+    b = ids[b];
+  }
+  return a < b ? a << 32 | b : b << 32 | a;
+}
+
+/// A bit for each lane below `count`.
+template <class Lanes>
+std::uint32_t lanes_below(std::uint32_t count) {
+  return count >= Lanes::kCount ? (1U << Lanes::kCount) - 1 : (1U << count) - 1;
+}
+
+/// A box and the boxes of a block that it overlaps.
+struct Hits {
+  std::uint32_t place;
+  std::uint32_t lanes;
+};
+
+/// So many boxes are compared with a block before the hits are looked at: no branch depends on a comparison.
+constexpr std::uint32_t kStrip = 128;
+
+inline void add_pairs(const Hits* hits, std::size_t count, const TaggedBox* boxes, std::uint32_t first,
+                      const BodyId* ids, KeyBuffer& found) {
+  for (std::size_t h = 0; h < count; ++h) {
+    const std::uint32_t tag = boxes[hits[h].place].tag;
+    for (std::uint32_t lanes = hits[h].lanes; lanes != 0; lanes &= lanes - 1) {
+      const std::uint32_t other = boxes[first + static_cast<unsigned>(__builtin_ctz(lanes))].tag;
+      found.keys[found.size] = key_of(tag, other, ids);
+      found.size += owns(tag, other) ? 1 : 0;
+    }
+  }
+}
+
+template <class Lanes>
+void all_pairs(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found) {
+  // Copies: what is written to `hits` must not look like a change of these.
+  const TaggedBox* const boxes = cell.boxes;
+  const std::uint32_t end_of_cell = cell.count;
+  Hits hits[kStrip];
+  for (std::uint32_t first = 0; first < end_of_cell; first += Lanes::kCount) {
+    const Block<Lanes> block(boxes + first);
+    const std::uint32_t there = lanes_below<Lanes>(end_of_cell - first);
+    const std::uint32_t end = first + Lanes::kCount < end_of_cell ? first + Lanes::kCount : end_of_cell;
+    for (std::uint32_t strip = 0; strip < end; strip += kStrip) {
+      const std::uint32_t strip_end = strip + kStrip < end ? strip + kStrip : end;
+      std::size_t count = 0;
+      for (std::uint32_t i = strip; i < strip_end; ++i) {
+        // Boxes of the block itself, each with those behind it only.
+        const std::uint32_t behind = i < first ? 0 : i + 1 - first;
+        hits[count] = {i, block.hits(boxes[i].box) & there & (~0U << behind)};
+        count += hits[count].lanes != 0 ? 1 : 0;
+      }
+      found.need(count * Lanes::kCount);
+      add_pairs(hits, count, boxes, first, ids, found);
+    }
+  }
+}
+
+/// Notes what became of one pair, `old` and `now` saying whether the boxes overlapped.
+inline void note_change(bool old, bool now, std::uint64_t key, const KeyChanges& changes) {
+  if (old == now) return;
+  KeyBuffer& buffer = now ? changes.began : changes.ended;
+  buffer.need(1);
+  buffer.keys[buffer.size++] = key;
+}
+
+template <class Lanes>
+void changed_pairs(const CellBoxes& old, const CellBoxes& now, std::span<const std::uint32_t> changed,
+                   const std::uint32_t* rank, const BodyId* ids, const KeyChanges& changes) {
+  for (std::uint32_t first = 0; first < now.count; first += Lanes::kCount) {
+    const Block<Lanes> was(old.boxes + first);
+    const Block<Lanes> is(now.boxes + first);
+    const std::uint32_t there = lanes_below<Lanes>(now.count - first);
+    for (std::size_t c = 0; c < changed.size(); ++c) {
+      const TaggedBox& old_box = old.boxes[changed.data()[c]];
+      const TaggedBox& new_box = now.boxes[changed.data()[c]];
+      const std::uint32_t before = was.hits(old_box.box) & there;
+      const std::uint32_t after = is.hits(new_box.box) & there;
+      for (std::uint32_t any = before | after; any != 0; any &= any - 1) {
+        const auto lane = static_cast<unsigned>(__builtin_ctz(any));
+        const std::uint32_t other = first + lane;
+        if (rank[other] <= c) continue;
+        note_change((before >> lane & 1) != 0 && owns(old_box.tag, old.boxes[other].tag),
+                    (after >> lane & 1) != 0 && owns(new_box.tag, now.boxes[other].tag),
+                    key_of(new_box.tag, now.boxes[other].tag, ids), changes);
+      }
+    }
+  }
+}
+
+template <class Lanes>
+constexpr Kernels make_kernels(VectorIsa isa, const char* name) {
+  static_assert(Lanes::kCount <= kMaxLanes);
+  return {isa, name, Lanes::kCount, Lanes::eight_blocks, all_pairs<Lanes>, changed_pairs<Lanes>};
+}
+
+}  // namespace
+}  // namespace cellsweep::stream

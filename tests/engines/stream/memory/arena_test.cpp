@@ -1,0 +1,67 @@
+#include "engines/stream/memory/arena.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace cellsweep::stream {
+namespace {
+
+TEST(Arena, HandsOutAlignedBlocksThatDoNotOverlap) {
+  Arena arena;
+  std::vector<std::uint32_t*> blocks;
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    auto* block = arena.take<std::uint32_t>(1 + i * 37);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(block) % 64, 0U);
+    std::fill_n(block, 1 + i * 37, i);
+    blocks.push_back(block);
+  }
+  for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+    EXPECT_TRUE(
+        std::all_of(blocks[i], blocks[i] + 1 + i * 37, [&](std::uint32_t value) { return value == i; }));
+  }
+}
+
+TEST(Arena, TakesBlocksBackToAMark) {
+  Arena arena;
+  arena.take<char>(100);
+  const Arena::Mark mark = arena.mark();
+  char* first = arena.take<char>(50);
+  for (int i = 0; i < 100; ++i) arena.take<char>(50'000);
+  arena.release(mark);
+  EXPECT_EQ(arena.take<char>(50), first);
+}
+
+TEST(Arena, KeepsWhatTheLastRoundNeededAndNoMore) {
+  Arena arena;
+  for (int i = 0; i < 100; ++i) arena.take<char>(100'000);
+  const std::size_t much = arena.bytes();
+  EXPECT_GE(much, 10'000'000U);
+  arena.reset(much);
+  EXPECT_EQ(arena.bytes(), much);
+  arena.take<char>(1000);
+  arena.reset(much);
+  EXPECT_LT(arena.bytes(), much / 10);
+}
+
+TEST(Arena, KeepsNoMoreThanItIsTold) {
+  Arena arena;
+  for (int i = 0; i < 100; ++i) arena.take<char>(100'000);
+  arena.reset(1'000'000);
+  EXPECT_LT(arena.bytes(), 2'000'000U);
+}
+
+TEST(Arena, HasRoomForABlockLargerThanAllBefore) {
+  Arena arena;
+  for (std::size_t size = 1; size < 10'000'000; size *= 3) {
+    char* block = arena.take<char>(size);
+    block[0] = block[size - 1] = 1;
+    if (size % 2 == 0) arena.release({});
+  }
+  EXPECT_GE(arena.bytes(), 4'000'000U);
+}
+
+}  // namespace
+}  // namespace cellsweep::stream
