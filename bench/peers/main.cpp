@@ -1,9 +1,10 @@
 /// @file
 /// The program of the suite of peers: Google Benchmark's options and, by default, up to 100,000 bodies, three
-/// repetitions in which the rows take turns, median and spread, also in out/peers/peers.json. `--notes`
-/// prints how to read the rows.
+/// repetitions in which the rows take turns, median and spread, also in out/peers/peers.json unless rows are
+/// chosen. `--notes` prints how to read the rows.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -18,12 +19,19 @@
 
 namespace {
 
+// A few rows, or a list of them, do not take the place of a quarter of an hour's results.
+bool runs_the_whole_suite(int argc, char** argv) {
+  return std::none_of(argv + 1, argv + argc, [](std::string_view argument) {
+    return argument.starts_with("--benchmark_filter") || argument.starts_with("--benchmark_list_tests");
+  });
+}
+
 // Options given later win, so defaults go in front of the caller's.
 std::vector<char*> with_defaults(int argc, char** argv) {
   static std::vector<std::string> defaults = {
       "--benchmark_repetitions=3", "--benchmark_report_aggregates_only=true",
-      "--benchmark_enable_random_interleaving=true", "--benchmark_filter=/(1000|10000|100000)/",
-      "--benchmark_out=out/peers/peers.json"};
+      "--benchmark_enable_random_interleaving=true", "--benchmark_filter=/(1000|10000|100000)/"};
+  if (runs_the_whole_suite(argc, argv)) defaults.emplace_back("--benchmark_out=out/peers/peers.json");
   std::vector<char*> arguments = {argv[0]};
   for (std::string& option : defaults) arguments.push_back(option.data());
   arguments.insert(arguments.end(), argv + 1, argv + argc);

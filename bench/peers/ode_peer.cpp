@@ -113,7 +113,7 @@ void add_ode_peers(std::vector<PeerInfo>& peers) {
   info.margin = "none";
   info.settings = "`dSweepAndPruneSpaceCreate`, axes XZY; it sorts anew in each frame";
   info.exactness = "what `dSpaceCollide` calls back for; tested again here";
-  info.most_bodies = kAnyNumber;
+  info.most_bodies = 100'000;
   info.make = [] { return std::make_unique<OdePeer>(); };
   peers.push_back(std::move(info));
 }

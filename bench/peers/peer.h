@@ -14,6 +14,8 @@
 
 namespace cellsweep::bench {
 
+inline constexpr std::size_t kAnyNumber = 100'000'000;
+
 /// What a peer may know before the clock starts.
 struct Stage {
   Aabb world;                   ///< no body ever leaves it
@@ -51,13 +53,13 @@ struct PeerInfo {
   std::string_view settings;    ///< how it is built and called
   std::string_view exactness;   ///< what it finds beyond the pairs, and who drops that
   std::size_t most_bodies = 0;  ///< more would take minutes, or does not fit
+  /// The same for scenes `clustered` and `wall`, where bodies are many in little space.
+  std::size_t most_crowded = kAnyNumber;
   /// False for one that starts anew in each frame: it has no row for a frame in which it is told that
   /// nothing moved, since its user would keep the pairs.
   bool remembers = true;
   bool finds_pairs = true;  ///< false for the limit that memory sets
   std::function<std::unique_ptr<Peer>()> make{};
 };
-
-inline constexpr std::size_t kAnyNumber = 100'000'000;
 
 }  // namespace cellsweep::bench
