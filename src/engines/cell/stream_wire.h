@@ -12,6 +12,7 @@ inline constexpr std::uint32_t kStreamBlock = 256;
 
 /// A box: min x, y, z, max x, y, z, tag, one word unused.
 inline constexpr std::uint32_t kStreamWords = 8;
+inline constexpr std::uint32_t kStreamTag = 6;
 
 /// A block of boxes compared with itself or with another one of the same cell.
 struct StreamPiece {

@@ -40,7 +40,7 @@ std::vector<LocalStorePart> stream_buffers(std::uint64_t) {
           {"pieces", kStreamPieces * sizeof(StreamPiece)},
           {"two chunks of pairs", std::uint64_t{2} * kStreamPairs * 8},
           {"four blocks of boxes", 4 * kBlockBytes},
-          {"two blocks by coordinate", 2 * kBlockBytes}};
+          {"a block by coordinate", std::uint64_t{4} * (kStreamTag + 1) * kStreamBlock}};
 }
 
 Result<std::unique_ptr<stream::PieceFinder>> StreamSpes::make(const EngineOptions& options,

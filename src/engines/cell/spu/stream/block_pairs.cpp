@@ -8,7 +8,7 @@ constexpr std::uint32_t kAllLanes = 15;
 constexpr std::uint32_t kSlotMask = (1U << kTagBits) - 1;
 
 /// Four bits, the first box's on the left: which of four boxes are apart on no axis.
-inline std::uint32_t overlaps_of_four(const Block& others, std::uint32_t four, const vec_float4* own) {
+inline std::uint32_t overlaps_of_four(const Columns& others, std::uint32_t four, const vec_float4* own) {
   vec_uint4 apart = spu_splats(0U);
   for (unsigned int axis = 0; axis < 3; ++axis) {
     const vec_float4 min = others.array(axis)[four];
@@ -18,7 +18,7 @@ inline std::uint32_t overlaps_of_four(const Block& others, std::uint32_t four, c
   return spu_extract(spu_gather(spu_nor(apart, apart)), 0);
 }
 
-inline void add_lanes(std::uint32_t lanes, std::uint32_t first, std::uint32_t tag, const Block& others,
+inline void add_lanes(std::uint32_t lanes, std::uint32_t first, std::uint32_t tag, const Columns& others,
                       PairStream& pairs) {
   for (std::uint32_t lane = 0; lane < 4; ++lane) {
     if ((lanes & (8U >> lane)) == 0) continue;
@@ -37,29 +37,34 @@ inline vec_float4 second_halves(vec_float4 a, vec_float4 b) {
   return spu_shuffle(a, b, pattern);
 }
 
-/// The same half of four boxes: `boxes` is the first one's. The columns go to arrays that follow each other.
-inline void transpose_four(const vec_float4* boxes, vec_float4* column) {
-  constexpr unsigned int kNext = kStreamBlock / 4;
+struct FourColumns {
+  vec_float4 column[4];
+};
+
+/// The same half of four boxes: `boxes` is the first one's.
+inline FourColumns columns_of_four(const vec_float4* boxes) {
   const vec_float4 low = first_halves(boxes[0], boxes[4]);
   const vec_float4 low_other = first_halves(boxes[2], boxes[6]);
   const vec_float4 high = second_halves(boxes[0], boxes[4]);
   const vec_float4 high_other = second_halves(boxes[2], boxes[6]);
-  column[0] = first_halves(low, low_other);
-  column[kNext] = second_halves(low, low_other);
-  column[2 * kNext] = first_halves(high, high_other);
-  column[3 * kNext] = second_halves(high, high_other);
+  return {{first_halves(low, low_other), second_halves(low, low_other), first_halves(high, high_other),
+           second_halves(high, high_other)}};
 }
 
 }  // namespace
 
-void Block::transpose() const {
+void Columns::fill(const Block& block) {
+  constexpr unsigned int kNext = kStreamBlock / 4;
+  count = block.count;
   for (std::uint32_t four = 0; 4 * four < count; ++four) {
-    transpose_four(boxes + 8 * four, arrays + four);
-    transpose_four(boxes + 8 * four + 1, arrays + kStreamBlock + four);
+    const FourColumns front = columns_of_four(block.boxes + 8 * four);
+    const FourColumns back = columns_of_four(block.boxes + 8 * four + 1);
+    for (unsigned int i = 0; i < 4; ++i) arrays[i * kNext + four] = front.column[i];
+    for (unsigned int i = 0; i < 3; ++i) arrays[(4 + i) * kNext + four] = back.column[i];
   }
 }
 
-void add_row(const Block& block, std::uint32_t row, const Block& others, std::uint32_t from,
+void add_row(const Block& block, std::uint32_t row, const Columns& others, std::uint32_t from,
              PairStream& pairs) {
   vec_float4 own[kFaces];
   for (unsigned int face = 0; face < kFaces; ++face) own[face] = spu_splats(block.value(face, row));

@@ -14,6 +14,7 @@ constexpr unsigned int kFirstPairTag = 2;  // pieces have 0 and 1
 constexpr unsigned int kJobTag = 4;
 constexpr unsigned int kAllTags = 31;
 constexpr unsigned int kBlockVectors = kStreamWords / 4 * kStreamBlock;
+constexpr unsigned int kColumnVectors = (kStreamTag + 1) * kStreamBlock / 4;
 
 void* allocate(unsigned int bytes) {
   return _malloc_align(bytes, kLog2Align);
@@ -37,13 +38,12 @@ struct Blocks {
   }
 
   /// Compares from row `row` on; false when the pairs' room is full, `row` saying how far it came.
-  bool compare(const StreamPiece& piece, std::uint32_t& row, PairStream& pairs) const {
+  bool compare(const StreamPiece& piece, std::uint32_t& row, Columns& columns, PairStream& pairs) const {
     const bool same = piece.second == piece.first;
-    one.transpose();
-    if (!same) other.transpose();
+    columns.fill(same ? one : other);
     for (; row < one.count; ++row) {
       if (!pairs.has_room()) return false;
-      add_row(one, row, same ? one : other, same ? row + 1 : 0, pairs);
+      add_row(one, row, columns, same ? row + 1 : 0, pairs);
     }
     row = 0;
     return true;
@@ -51,19 +51,20 @@ struct Blocks {
 };
 
 /// Pieces that are here; how many were compared, and of the next one how many rows.
-std::uint32_t compare_pieces(const StreamPiece* pieces, std::uint32_t count, Blocks* blocks,
+std::uint32_t compare_pieces(const StreamPiece* pieces, std::uint32_t count, Blocks* blocks, Columns& columns,
                              std::uint32_t& row, PairStream& pairs) {
   blocks[0].get(pieces[0], 0);
   for (std::uint32_t i = 0; i < count; ++i) {
     const unsigned int turn = i & 1U;
     if (i + 1 < count) blocks[turn ^ 1U].get(pieces[i + 1], turn ^ 1U);
     wait_for_tag(turn);
-    if (!blocks[turn].compare(pieces[i], row, pairs)) return i;
+    if (!blocks[turn].compare(pieces[i], row, columns, pairs)) return i;
   }
   return count;
 }
 
-StreamResult compare_all(const StreamJob& job, StreamPiece* pieces, Blocks* blocks, PairStream& pairs) {
+StreamResult compare_all(const StreamJob& job, StreamPiece* pieces, Blocks* blocks, Columns& columns,
+                         PairStream& pairs) {
   StreamResult result{};
   result.rows_done = job.rows_done;
   while (result.pieces_done < job.count) {
@@ -72,7 +73,7 @@ StreamResult compare_all(const StreamJob& job, StreamPiece* pieces, Blocks* bloc
     get_all(pieces, ea_of(job.pieces) + sizeof(StreamPiece) * result.pieces_done, sizeof(StreamPiece) * count,
             kJobTag);
     wait_for_tag(kJobTag);
-    const std::uint32_t done = compare_pieces(pieces, count, blocks, result.rows_done, pairs);
+    const std::uint32_t done = compare_pieces(pieces, count, blocks, columns, result.rows_done, pairs);
     result.pieces_done += done;
     if (done < count) break;
   }
@@ -90,16 +91,17 @@ int main(unsigned long long, unsigned long long argp, unsigned long long) {
   auto* pieces = static_cast<StreamPiece*>(allocate(kStreamPieces * sizeof(StreamPiece)));
   auto* chunks = static_cast<std::uint32_t*>(allocate(2 * kStreamPairs * 8));
   auto* boxes = static_cast<vec_float4*>(allocate(4 * kBlockVectors * 16));
-  auto* arrays = static_cast<vec_float4*>(allocate(2 * kBlockVectors * 16));
+  auto* arrays = static_cast<vec_float4*>(allocate(kColumnVectors * 16));
   get_all(job, argp, sizeof(StreamJob), kJobTag);
   wait_for_tag(kJobTag);
   Blocks blocks[2];
   for (unsigned int i = 0; i < 2; ++i) {
-    blocks[i].one = {boxes + 2 * i * kBlockVectors, arrays, 0};
-    blocks[i].other = {boxes + (2 * i + 1) * kBlockVectors, arrays + kBlockVectors, 0};
+    blocks[i].one = {boxes + 2 * i * kBlockVectors, 0};
+    blocks[i].other = {boxes + (2 * i + 1) * kBlockVectors, 0};
   }
+  Columns columns = {arrays, 0};
   PairStream pairs(chunks, *job, kFirstPairTag);
-  *result = compare_all(*job, pieces, blocks, pairs);
+  *result = compare_all(*job, pieces, blocks, columns, pairs);
   put_all(result, ea_of(job->result), sizeof(StreamResult), kJobTag);
   wait_for_tag(kJobTag);
   _free_align(arrays);
