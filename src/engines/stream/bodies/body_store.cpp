@@ -1,7 +1,6 @@
 #include "engines/stream/bodies/body_store.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "broadphase/input_checks.h"
@@ -10,9 +9,6 @@
 
 namespace cellsweep::stream {
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr Aabb kNobody = {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
 
 /// Updates that a hull is made for when all are made anew, and at most when one is. Bodies that keep their
 /// course leave their hulls all at once in the one case, which is when starting anew pays, and a share of

@@ -1,7 +1,6 @@
 #include "engines/stream/cells/tree_build.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace cellsweep::stream {
 namespace {
@@ -10,9 +9,6 @@ namespace {
 constexpr std::uint32_t kLargestCell = 160;
 /// Boxes that no cut tells apart are compared all with all from here on.
 constexpr unsigned kDeepest = 24;
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr Aabb kNobody = {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
 
 /// Turns each worker's counts into the places where it begins to write, and says how much a cell gets in all.
 void add_up(std::uint32_t* counts, unsigned workers, std::uint32_t cells, std::uint32_t* sums) {

@@ -1,15 +1,11 @@
 #include "engines/stream/cells/tree_change.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "engines/stream/cells/tree_build.h"
 
 namespace cellsweep::stream {
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr Aabb kNowhere = {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
 
 std::uint32_t place_of(const CellBoxes& cell, std::uint32_t slot) {
   std::uint32_t place = 0;
@@ -153,8 +149,8 @@ void TreeChanger::change_boxes(std::span<const Visit> visits, CellBoxes& cell, D
     const Change& change = changes_[visit.change];
     const std::uint32_t place = is_new(visit) ? cell.count++ : place_of(cell, change.slot);
     changed[v] = place;
-    if (is_new(visit)) old.boxes[place] = {kNowhere, change.slot, 0};
-    cell.boxes[place] = {visit.new_flags == 0 ? kNowhere : change.new_box,
+    if (is_new(visit)) old.boxes[place] = {kNobody, change.slot, 0};
+    cell.boxes[place] = {visit.new_flags == 0 ? kNobody : change.new_box,
                          change.slot | std::uint32_t{visit.new_flags} % kThere << kSlotBits, 0};
   }
   old.count = cell.count;

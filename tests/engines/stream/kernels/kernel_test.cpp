@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <set>
 #include <sstream>
 #include <string>
@@ -23,9 +22,6 @@ namespace cellsweep::stream {
 namespace {
 
 using contract::Random;
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr Aabb kNobody = {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
 
 /// A cell with memory of its own.
 class TestCell {
