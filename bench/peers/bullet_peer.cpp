@@ -117,12 +117,12 @@ void add_bullet_peers(std::vector<PeerInfo>& peers) {
   tree.margin = "0.05 when a box leaves its larger one (default)";
   tree.settings = "`btDbvtBroadphase` as it comes; pairs that ended go over some frames";
   tree.most_bodies = kAnyNumber;
-  tree.most_crowded = 100'000;
+  tree.most_in_wall = 100'000;
   PeerInfo tight = bullet_peer("bullet_dbvt_margin0", Kind::tree, 0);
   tight.margin = "0";
   tight.settings = tree.settings;
   tight.most_bodies = kAnyNumber;
-  tight.most_crowded = tree.most_crowded;
+  tight.most_in_wall = tree.most_in_wall;
   PeerInfo sweep_16 = bullet_peer("bullet_axis16", Kind::axis_16, 0);
   sweep_16.margin = "to the grid of 16 bits";
   sweep_16.settings = "`btAxisSweep3`, the world's bounds known; bodies entered singly; no tree for rays";

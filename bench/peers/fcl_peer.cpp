@@ -97,7 +97,7 @@ PeerInfo fcl_peer(std::string_view name, std::string_view settings, std::size_t 
   info.settings = settings;
   info.exactness = "what `collide()` calls back for; tested again here";
   info.most_bodies = most_bodies;
-  info.most_crowded = 100'000;
+  info.most_in_wall = 100'000;
   info.make = [] { return std::make_unique<FclPeer<Manager>>(); };
   return info;
 }

@@ -53,8 +53,8 @@ struct PeerInfo {
   std::string_view settings;    ///< how it is built and called
   std::string_view exactness;   ///< what it finds beyond the pairs, and who drops that
   std::size_t most_bodies = 0;  ///< more would take minutes, or does not fit
-  /// The same for scenes `clustered` and `wall`, where bodies are many in little space.
-  std::size_t most_crowded = kAnyNumber;
+  std::size_t most_in_wall =
+      kAnyNumber;  ///< the same for scene `wall`: a million bodies have 12 million pairs
   /// False for one that starts anew in each frame: it has no row for a frame in which it is told that
   /// nothing moved, since its user would keep the pairs.
   bool remembers = true;

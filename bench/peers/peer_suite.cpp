@@ -74,8 +74,7 @@ void run_row(benchmark::State& state, const PeerInfo& peer, const PeerSetting& s
 }
 
 std::size_t most_bodies_in(std::string_view scene, const PeerInfo& peer) {
-  const bool is_crowded = scene == "clustered" || scene == "wall";
-  return is_crowded ? std::min(peer.most_bodies, peer.most_crowded) : peer.most_bodies;
+  return scene == "wall" ? std::min(peer.most_bodies, peer.most_in_wall) : peer.most_bodies;
 }
 
 void register_row(const PeerInfo& peer, const PeerSetting& setting) {
