@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "cellsweep/engines.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 
 namespace cellsweep::bench {
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "world/scene_recipes.h"
 
 namespace cellsweep::bench {

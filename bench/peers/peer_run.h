@@ -11,7 +11,7 @@
 
 #include "bench/peers/peer.h"
 #include "bench/peers/peer_mode.h"
-#include "cellsweep/frame_source.h"
+#include "cellsweep/world/frame_source.h"
 
 namespace cellsweep::bench {
 

@@ -2,7 +2,7 @@
 
 #include "app/commands.h"
 #include "app/output.h"
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "report/experiment/experiment_page.h"
 #include "report/experiment/findings.h"
 #include "report/gnuplot.h"

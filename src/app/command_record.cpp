@@ -1,8 +1,8 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/scene_flags.h"
-#include "broadphase/text.h"
-#include "cellsweep/recording.h"
+#include "base/text.h"
+#include "cellsweep/world/recording.h"
 
 namespace cellsweep::app {
 namespace {

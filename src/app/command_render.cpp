@@ -5,7 +5,7 @@
 #include "app/frame_range.h"
 #include "app/output.h"
 #include "app/scene_flags.h"
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
 #include "report/picture/picture.h"
 #include "report/progress.h"
 #include "report/text_file.h"

@@ -2,7 +2,7 @@
 
 #include "app/commands.h"
 #include "app/run_and_print.h"
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
 
 namespace cellsweep::app {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/engine_flags.h"
 #include "app/output.h"
 #include "app/scene_flags.h"
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
 #include "report/run_json.h"
 #include "report/run_table.h"
 

@@ -4,7 +4,7 @@
 #include "app/engine_flags.h"
 #include "app/output.h"
 #include "app/scene_flags.h"
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "view/view.h"
 
 namespace cellsweep::app {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <istream>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::app {
 

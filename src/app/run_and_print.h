@@ -8,7 +8,7 @@
 #include "app/engine_flags.h"
 #include "app/frame_flags.h"
 #include "app/output.h"
-#include "cellsweep/frame_source.h"
+#include "cellsweep/world/frame_source.h"
 
 namespace cellsweep::app {
 

@@ -1,6 +1,6 @@
 #include "cellsweep/broadphase.h"
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "broadphase/input_checks.h"
 #include "broadphase/pose_checks.h"
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep {
 

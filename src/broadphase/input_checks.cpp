@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep {
 namespace {

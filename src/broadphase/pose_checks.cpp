@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "broadphase/input_checks.h"
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep {
 namespace {

@@ -11,6 +11,22 @@ function(cellsweep_target target)
   endif()
 endfunction()
 
+# cellsweep_library(TARGET): a library that users link: its headers, position-independent, nothing shown but what is
+# marked with CELLSWEEP_API, a version in the name of a shared one.
+function(cellsweep_library target)
+  target_include_directories(
+    ${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  string(REGEX REPLACE "^cellsweep_" "" name ${target})
+  set_target_properties(
+    ${target}
+    PROPERTIES POSITION_INDEPENDENT_CODE ON
+               CXX_VISIBILITY_PRESET hidden
+               VISIBILITY_INLINES_HIDDEN ON
+               VERSION ${PROJECT_VERSION}
+               SOVERSION ${PROJECT_VERSION_MAJOR}
+               EXPORT_NAME ${name})
+endfunction()
+
 # cellsweep_quick_to_compile(TARGET): for targets whose own code is not what anybody waits for, above all tests and
 # the command line: little optimisation, in builds that have any.
 function(cellsweep_quick_to_compile target)

@@ -3,12 +3,12 @@
 #include <string>
 #include <utility>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "cellsweep/engines.h"
 #include "cellsweep/local_store.h"
 #include "engines/control/control.h"
 #include "engines/stream/stream.h"
-#include "engines/timeline.h"
+#include "cellsweep/engine/timeline.h"
 #include "engines/traced_broadphase.h"
 #ifdef CELLSWEEP_CELL_ENGINES
 #include "engines/cell/cell_engines.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cellsweep/broadphase.h"
-#include "engines/timeline.h"
+#include "cellsweep/engine/timeline.h"
 
 namespace cellsweep {
 

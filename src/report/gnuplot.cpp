@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 extern char** environ;  // NOLINT: POSIX's name
 

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <set>
 
-#include "broadphase/text.h"
-#include "engines/thread_clock.h"
+#include "base/text.h"
+#include "base/thread_clock.h"
 #include "report/progress.h"
 
 namespace cellsweep::report {

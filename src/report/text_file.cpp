@@ -4,7 +4,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "broadphase/brute_force.h"
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "report/progress.h"
 #include "report/run_engine.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cellsweep/broadphase.h"
-#include "cellsweep/frame_source.h"
+#include "cellsweep/world/frame_source.h"
 #include "report/run_engine.h"
 
 namespace cellsweep::report {

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "cellsweep/world.h"
+#include "cellsweep/world/world.h"
 #include "view/simulation.h"
 
 namespace cellsweep::view {

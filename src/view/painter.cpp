@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "cellsweep/eigen.h"
+#include "cellsweep/world/eigen.h"
 #include "view/shaders.h"
 
 namespace cellsweep::view {

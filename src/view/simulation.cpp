@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "report/picture/picture.h"
 #include "report/run_engine.h"
 

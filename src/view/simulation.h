@@ -12,8 +12,8 @@
 
 #include "cellsweep/engines.h"
 #include "cellsweep/local_store.h"
-#include "cellsweep/recording.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/recording.h"
+#include "cellsweep/world/scene.h"
 #include "view/live_scene.h"
 
 namespace cellsweep::view {

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "view/canvas.h"
 #include "view/painter.h"
 #include "view/panel.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
 #include "cellsweep/status.h"
 
 namespace cellsweep {

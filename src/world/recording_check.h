@@ -2,7 +2,7 @@
 /// What a recording must be before it goes into a file.
 #pragma once
 
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
 #include "cellsweep/status.h"
 
 namespace cellsweep {

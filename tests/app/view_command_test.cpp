@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "command_line.h"
 
 namespace cellsweep::app {

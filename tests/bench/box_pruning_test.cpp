@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "broadphase/brute_force.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "contract/box_kinds.h"
 
 namespace cellsweep::bench {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "broadphase/brute_force.h"
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "contract/box_kinds.h"
 
 namespace cellsweep::contract {

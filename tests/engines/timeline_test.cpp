@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cellsweep/engines.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 
 namespace cellsweep {
 namespace {

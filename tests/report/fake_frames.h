@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cellsweep/broadphase.h"
-#include "cellsweep/frame_source.h"
+#include "cellsweep/world/frame_source.h"
 
 namespace cellsweep::report {
 

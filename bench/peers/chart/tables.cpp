@@ -8,7 +8,7 @@
 
 #include "bench/peers/chart/ratios.h"
 #include "bench/peers/peer_mode.h"
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::bench {
 namespace {

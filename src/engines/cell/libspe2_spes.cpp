@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "engines/cell/emulation.h"
 
 namespace cellsweep::cell {

@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/spu_elf.h"
-#include "engines/timeline.h"
+#include "cellsweep/engine/timeline.h"
 
 namespace cellsweep::cell {
 namespace {

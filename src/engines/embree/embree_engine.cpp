@@ -4,7 +4,7 @@
 #include <iterator>
 #include <limits>
 
-#include "engines/phase_timer.h"
+#include "cellsweep/engine/phase_timer.h"
 
 namespace cellsweep::embree {
 

@@ -5,8 +5,8 @@
 #include <thread>
 #include <utility>
 
-#include "broadphase/text.h"
-#include "engines/phase_timer.h"
+#include "base/text.h"
+#include "cellsweep/engine/phase_timer.h"
 
 namespace cellsweep::stream {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "cellsweep/engines.h"
 #include "report/build_context.h"
 #include "report/experiment/experiment_run.h"

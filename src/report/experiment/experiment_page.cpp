@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "broadphase/text.h"
-#include "cellsweep/scene.h"
+#include "base/text.h"
+#include "cellsweep/world/scene.h"
 #include "report/experiment/figure_csv.h"
 #include "report/experiment/figure_plot.h"
 #include "report/experiment/figures.h"

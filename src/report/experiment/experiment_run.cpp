@@ -8,7 +8,7 @@
 
 #include "broadphase/brute_force.h"
 #include "cellsweep/engines.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "report/quantile.h"
 #include "report/run_engine.h"
 

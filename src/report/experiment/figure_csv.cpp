@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::report {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::report {
 namespace {

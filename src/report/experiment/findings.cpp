@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "report/experiment/figures.h"
 
 namespace cellsweep::report {

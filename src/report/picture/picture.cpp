@@ -5,7 +5,7 @@
 #include <cmath>
 #include <thread>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "report/picture/camera.h"
 #include "report/picture/stage.h"
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "cellsweep/aabb.h"
-#include "cellsweep/frame_source.h"
+#include "cellsweep/world/frame_source.h"
 #include "cellsweep/pose.h"
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
 #include "cellsweep/status.h"
 #include "report/picture/image.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cellsweep/engines.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "engines/cell/ppu/step_cycles.h"
 #include "report/run_engine.h"
 

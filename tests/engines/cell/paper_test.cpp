@@ -7,7 +7,7 @@
 
 #include "cellsweep/engines.h"
 #include "cellsweep/local_store.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "engines/cell/sanitized.h"
 #include "report/verify.h"
 

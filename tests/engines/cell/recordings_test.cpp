@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cellsweep/engines.h"
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
 #include "report/run_engine.h"
 
 namespace cellsweep {

@@ -11,7 +11,7 @@
 #include "broadphase/brute_force.h"
 #include "cellsweep/engines.h"
 #include "cellsweep/local_store.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "contract/random.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/ppu/resident.h"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "cellsweep/engines.h"
-#include "cellsweep/recording.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/recording.h"
+#include "cellsweep/world/scene.h"
 #include "report/run_engine.h"
 #include "report/verify.h"
 

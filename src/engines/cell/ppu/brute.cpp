@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "broadphase/text.h"
-#include "engines/phase_timer.h"
+#include "base/text.h"
+#include "cellsweep/engine/phase_timer.h"
 
 extern "C" spe_program_handle_t cell_brute_spu;
 

@@ -1,6 +1,6 @@
 #include "engines/cell/ppu/layout.h"
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::cell {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "broadphase/text.h"
-#include "engines/phase_timer.h"
+#include "base/text.h"
+#include "cellsweep/engine/phase_timer.h"
 
 extern "C" spe_program_handle_t cell_paper_spu;
 

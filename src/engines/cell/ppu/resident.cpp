@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "broadphase/input_checks.h"
-#include "broadphase/text.h"
-#include "engines/phase_timer.h"
+#include "base/text.h"
+#include "cellsweep/engine/phase_timer.h"
 
 namespace cellsweep::cell {
 namespace {

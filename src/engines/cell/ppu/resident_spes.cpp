@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "broadphase/text.h"
-#include "engines/timeline.h"
+#include "base/text.h"
+#include "cellsweep/engine/timeline.h"
 
 extern "C" spe_program_handle_t cell_resident_spu;
 

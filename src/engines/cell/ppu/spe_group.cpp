@@ -5,8 +5,8 @@
 #include <cstring>
 #include <utility>
 
-#include "broadphase/text.h"
-#include "engines/timeline.h"
+#include "base/text.h"
+#include "cellsweep/engine/timeline.h"
 
 namespace cellsweep::cell {
 namespace {

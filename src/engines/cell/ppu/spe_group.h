@@ -15,7 +15,7 @@
 #include "cellsweep/broadphase.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/ppu/step_cycles.h"
-#include "engines/thread_clock.h"
+#include "base/thread_clock.h"
 
 namespace cellsweep::cell {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "engines/cell/ppu/layout.h"
 
 extern "C" spe_program_handle_t cell_stream_spu;

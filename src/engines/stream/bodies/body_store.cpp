@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "broadphase/input_checks.h"
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "engines/stream/bodies/hull.h"
 
 namespace cellsweep::stream {

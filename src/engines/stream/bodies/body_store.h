@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "cellsweep/broadphase.h"
-#include "engines/stream/bodies/id_table.h"
+#include "broadphase/bodies/id_table.h"
 #include "engines/stream/bodies/move_check.h"
 #include "engines/stream/cells/cell_tree.h"
-#include "engines/stream/memory/memory.h"
+#include "base/memory/memory.h"
 #include "engines/stream/pool.h"
 
 namespace cellsweep::stream {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "broadphase/input_checks.h"
-#include "engines/stream/bodies/box_lanes.h"
+#include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {
 namespace {

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "cellsweep/aabb.h"
-#include "engines/stream/bodies/box_lanes.h"
-#include "engines/stream/bodies/id_table.h"
+#include "geometry/box_lanes.h"
+#include "broadphase/bodies/id_table.h"
 #include "engines/stream/pairs/pair_list.h"
 #include "engines/stream/pool.h"
 

@@ -13,8 +13,8 @@
 #include "engines/stream/cells/grid.h"
 #include "engines/stream/cells/piece_finder.h"
 #include "engines/stream/kernels/kernel.h"
-#include "engines/stream/memory/arena.h"
-#include "engines/stream/memory/memory.h"
+#include "base/memory/arena.h"
+#include "base/memory/memory.h"
 #include "engines/stream/pairs/pair_list.h"
 #include "engines/stream/pool.h"
 

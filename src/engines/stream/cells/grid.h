@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "cellsweep/aabb.h"
-#include "engines/stream/bodies/box_lanes.h"
+#include "geometry/box_lanes.h"
 #include "engines/stream/kernels/kernel.h"
 
 namespace cellsweep::stream {

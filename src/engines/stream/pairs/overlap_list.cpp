@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "engines/stream/bodies/box_lanes.h"
+#include "geometry/box_lanes.h"
 #include "engines/stream/pairs/pair_list.h"
 
 namespace cellsweep::stream {

@@ -6,9 +6,9 @@
 #include <span>
 
 #include "cellsweep/broadphase.h"
-#include "engines/stream/bodies/id_table.h"
+#include "broadphase/bodies/id_table.h"
 #include "engines/stream/kernels/kernel.h"
-#include "engines/stream/memory/array.h"
+#include "base/memory/array.h"
 #include "engines/stream/pool.h"
 
 namespace cellsweep::stream {

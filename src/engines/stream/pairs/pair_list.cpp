@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "engines/stream/pairs/pair_sort.h"
+#include "broadphase/pairs/pair_sort.h"
 
 namespace cellsweep::stream {
 namespace {

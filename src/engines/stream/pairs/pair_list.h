@@ -7,7 +7,7 @@
 
 #include "cellsweep/broadphase.h"
 #include "engines/stream/kernels/kernel.h"
-#include "engines/stream/memory/array.h"
+#include "base/memory/array.h"
 #include "engines/stream/pool.h"
 
 namespace cellsweep::stream {

@@ -1,4 +1,4 @@
-#include "engines/stream/bodies/sparse_ids.h"
+#include "broadphase/bodies/sparse_ids.h"
 
 #include <gtest/gtest.h>
 

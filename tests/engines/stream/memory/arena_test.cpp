@@ -1,4 +1,4 @@
-#include "engines/stream/memory/arena.h"
+#include "base/memory/arena.h"
 
 #include <gmock/gmock.h>
 

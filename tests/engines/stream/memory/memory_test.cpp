@@ -1,4 +1,4 @@
-#include "engines/stream/memory/memory.h"
+#include "base/memory/memory.h"
 
 #include <gtest/gtest.h>
 

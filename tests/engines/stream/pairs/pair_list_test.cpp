@@ -7,7 +7,7 @@
 #include <set>
 
 #include "contract/random.h"
-#include "engines/stream/pairs/pair_sort.h"
+#include "broadphase/pairs/pair_sort.h"
 
 namespace cellsweep::stream {
 namespace {

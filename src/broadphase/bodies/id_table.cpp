@@ -1,4 +1,4 @@
-#include "engines/stream/bodies/id_table.h"
+#include "broadphase/bodies/id_table.h"
 
 #include <algorithm>
 #include <functional>

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engines/stream/memory/memory.h"
+#include "base/memory/memory.h"
 
 namespace cellsweep::stream {
 

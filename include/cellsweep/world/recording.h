@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cellsweep/aabb.h"
-#include "cellsweep/frame_source.h"
+#include "cellsweep/world/frame_source.h"
 #include "cellsweep/status.h"
 
 namespace cellsweep {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cellsweep/broadphase.h"
-#include "engines/timeline.h"
+#include "cellsweep/engine/timeline.h"
 
 namespace cellsweep {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "cellsweep/pair.h"
-#include "engines/stream/memory/memory.h"
+#include "base/memory/memory.h"
 
 namespace cellsweep::stream {
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "cellsweep/frame_source.h"
+#include "cellsweep/world/frame_source.h"
 #include "cellsweep/status.h"
-#include "cellsweep/world.h"
+#include "cellsweep/world/world.h"
 
 namespace cellsweep {
 

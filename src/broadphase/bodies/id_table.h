@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "cellsweep/pair.h"
-#include "engines/stream/bodies/sparse_ids.h"
-#include "engines/stream/memory/array.h"
+#include "broadphase/bodies/sparse_ids.h"
+#include "base/memory/array.h"
 
 namespace cellsweep::stream {
 

@@ -1,4 +1,4 @@
-#include "engines/timeline.h"
+#include "cellsweep/engine/timeline.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <ostream>
 #include <utility>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep {
 namespace {

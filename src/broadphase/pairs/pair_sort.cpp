@@ -1,4 +1,4 @@
-#include "engines/stream/pairs/pair_sort.h"
+#include "broadphase/pairs/pair_sort.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "engines/stream/memory/memory.h"
+#include "base/memory/memory.h"
 
 namespace cellsweep::stream {
 
