@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "isa/disassembler.h"
+#include "isa/encoding/disassembler.h"
 #include "isa/timing/code_ranges.h"
 #include "libspe2/program_image.h"
 #include "mfc/format.h"

@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "isa/library_calls.h"
-#include "isa/machine.h"
-#include "isa/overlay_image.h"
-#include "isa/program_store.h"
+#include "isa/core/machine.h"
+#include "isa/elf/overlay_image.h"
+#include "isa/elf/program_store.h"
+#include "isa/libc/library_calls.h"
 #include "isa/timing/cycle_model.h"
 #include "libspe2/load_program.h"
 #include "libspe2/spe.h"

@@ -8,7 +8,7 @@
 #include <new>
 #include <thread>
 
-#include "isa/elf_loader.h"
+#include "isa/elf/elf_loader.h"
 #include "libspe2/context.h"
 #include "libspe2/program_image.h"
 #include "libspe2/settings.h"

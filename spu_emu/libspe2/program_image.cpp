@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "isa/elf_loader.h"
+#include "isa/elf/elf_loader.h"
 
 namespace spu_emu {
 

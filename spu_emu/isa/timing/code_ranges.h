@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "isa/elf_loader.h"
+#include "isa/elf/elf_loader.h"
 #include "isa/timing/cycle_model.h"
 
 namespace spu_emu::isa {

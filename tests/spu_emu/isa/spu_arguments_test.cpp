@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
-#include "assembler.h"
-#include "elf_builder.h"
+#include "elf/elf_builder.h"
+#include "encoding/assembler.h"
 
 namespace spu_emu {
 namespace {

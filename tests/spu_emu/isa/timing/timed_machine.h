@@ -4,7 +4,7 @@
 
 #include <initializer_list>
 
-#include "../test_machine.h"
+#include "../core/test_machine.h"
 #include "isa/timing/cycle_model.h"
 
 namespace spu_emu::isa {
