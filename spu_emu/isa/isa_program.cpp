@@ -29,7 +29,7 @@ IsaProgram::IsaProgram(Spe& spe)
       calls_(StoreBytes({store_.bytes(), store_.limit()}, this), spe.settings().library_calls) {
   if (!spe.settings().cycles) return;
   cycles_ = std::make_unique<CycleModel>(*spe.settings().cycles, store_.bytes());
-  machine_.set_cycle_model(*cycles_);
+  machine_.set_observer(*cycles_);
 }
 
 LoadResult IsaProgram::load(Spe& spe, const spe_program_handle_t& handle) {

@@ -37,7 +37,7 @@ class BlockCache {
     std::vector<Op> ops;
   };
 
-  bool is_timed() const { return state_.cycles != nullptr; }
+  bool is_observed() const { return state_.observer != nullptr; }
   void forget(std::uint32_t word);
   bool has_code(std::uint32_t first, std::uint32_t end) const;
 

@@ -1,6 +1,6 @@
 // Stops, halts, special registers, and what is no instruction.
 #include "isa/core/handlers.h"
-#include "isa/timing/cycle_model.h"
+#include "isa/core/instruction_observer.h"
 
 namespace spu_emu::isa {
 
@@ -78,8 +78,8 @@ const Op* execute_end_of_block(State& state, const Op* op) {
   return go_to(state, op, op->pc);
 }
 
-const Op* execute_tick(State& state, const Op* op) {
-  state.cycles->begin(op->pc, state);
+const Op* execute_observation(State& state, const Op* op) {
+  state.observer->begin(op->pc, state);
   return go_on(state, op);
 }
 

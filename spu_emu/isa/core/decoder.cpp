@@ -47,7 +47,7 @@ Flow flow_of(int number) {
 }  // namespace
 
 std::vector<Op> decode_block(const std::byte* local_store, std::uint32_t pc, std::uint32_t max_instructions,
-                             std::uint32_t& words, bool timed) {
+                             std::uint32_t& words, bool observed) {
   std::vector<Op> ops;
   std::uint32_t count = 0;
   Flow flow = Flow::next;
@@ -56,7 +56,7 @@ std::vector<Op> decode_block(const std::byte* local_store, std::uint32_t pc, std
     const int number = find_instruction(word);
     flow = flow_of(number);
     ++count;
-    if (timed) ops.push_back({execute_tick, 0, 0, 0, 0, 0, pc, count});
+    if (observed) ops.push_back({execute_observation, 0, 0, 0, 0, 0, pc, count});
     if (flow != Flow::none) ops.push_back(decode(number, word, pc, count));
     pc += 4;
   }

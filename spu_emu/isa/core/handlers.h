@@ -30,8 +30,8 @@ std::span<const HandlerRow> control_handlers();
 const Op* execute_illegal(State& state, const Op* op);
 const Op* execute_end_of_block(State& state, const Op* op);
 
-/// Tells State::cycles of the instruction whose Op follows, if it has one.
-const Op* execute_tick(State& state, const Op* op);
+/// Tells State::observer of the instruction whose Op follows, if it has one.
+const Op* execute_observation(State& state, const Op* op);
 
 /// t = F(a)
 template <auto F>

@@ -5,8 +5,8 @@
 #include "isa/core/block_cache.h"
 #include "isa/core/channel_access.h"
 #include "isa/core/decoder.h"
+#include "isa/core/instruction_observer.h"
 #include "isa/core/written_lines.h"
-#include "isa/timing/cycle_model.h"
 #include "spu_emu/intrinsics/float_mode.h"
 
 namespace spu_emu::isa {
@@ -36,20 +36,20 @@ constexpr MachineStop::Kind kind_of(Exit exit) {
   return exit == Exit::halt ? MachineStop::Kind::halt : MachineStop::Kind::illegal;
 }
 
-/// Ends the cycle model's part of a run, also where a Fault comes through.
-class TimedRun {
+/// Tells the observer of the end of a run, also where a Fault comes through.
+class ObservedRun {
  public:
-  explicit TimedRun(const State& state) : state_(state) {}
-  ~TimedRun() {
-    if (state_.cycles != nullptr && !ended_) state_.cycles->cancel();
+  explicit ObservedRun(const State& state) : state_(state) {}
+  ~ObservedRun() {
+    if (state_.observer != nullptr && !ended_) state_.observer->cancel();
   }
-  TimedRun(const TimedRun&) = delete;
-  TimedRun& operator=(const TimedRun&) = delete;
+  ObservedRun(const ObservedRun&) = delete;
+  ObservedRun& operator=(const ObservedRun&) = delete;
 
   void end(MachineStop::Kind kind) {
-    if (state_.cycles == nullptr || kind == MachineStop::Kind::illegal) return;
+    if (state_.observer == nullptr || kind == MachineStop::Kind::illegal) return;
     ended_ = true;
-    state_.cycles->end(state_.pc, state_);
+    state_.observer->end(state_.pc, state_);
   }
 
  private:
@@ -113,7 +113,7 @@ void Machine::reset() {
   impl_->executed = 0;
   impl_->blocks.drop_all();
   impl_->blocks.free_dropped();
-  if (state.cycles != nullptr) state.cycles->restart();
+  if (state.observer != nullptr) state.observer->restart();
 }
 
 MachineStop Machine::Impl::run() {
@@ -131,14 +131,14 @@ MachineStop Machine::run(std::uint64_t max_instructions) {
   state.host_float_control = float_control();
   const SpuFloatMode mode;
   impl_->start(max_instructions);
-  TimedRun timed(state);
+  ObservedRun observed(state);
   const MachineStop stop = impl_->run();
-  timed.end(stop.kind);
+  observed.end(stop.kind);
   return stop;
 }
 
-void Machine::set_cycle_model(CycleModel& model) {
-  impl_->state.cycles = &model;
+void Machine::set_observer(InstructionObserver& observer) {
+  impl_->state.observer = &observer;
   impl_->blocks.drop_all();
 }
 

@@ -12,7 +12,7 @@ class SpuChannels;
 
 namespace spu_emu::isa {
 
-class CycleModel;
+class InstructionObserver;
 
 /// Why run() came back.
 struct MachineStop {
@@ -38,8 +38,8 @@ class Machine {
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
-  /// From now on `model`, which is there as long as the machine runs, is told of every instruction.
-  void set_cycle_model(CycleModel& model);
+  /// From now on `observer`, which is there as long as the machine runs, is told of every instruction.
+  void set_observer(InstructionObserver& observer);
 
   /// Registers, FPSCR and pc are zero, interrupts are disabled, and nothing decoded is kept.
   void reset();

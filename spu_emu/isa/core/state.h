@@ -19,7 +19,7 @@ class SpuChannels;
 namespace spu_emu::isa {
 
 class BlockCache;
-class CycleModel;
+class InstructionObserver;
 struct Op;
 struct State;
 
@@ -71,7 +71,7 @@ struct State {
   SpuChannels* channels = nullptr;
   BlockCache* blocks = nullptr;
   /// Told of every instruction if there is one: then blocks are decoded with a call of it before each.
-  CycleModel* cycles = nullptr;
+  InstructionObserver* observer = nullptr;
   FloatControl host_float_control{};
 
   qword& at(std::uint16_t offset) {
