@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "host/heap.h"
-#include "libspe2/arena.h"
 #include "mfc/local_store.h"
+#include "spe/arena.h"
 
 namespace spu_emu {
 

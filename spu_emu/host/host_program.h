@@ -9,8 +9,8 @@
 #include "host/fiber.h"
 #include "host/host_local_store.h"
 #include "host/module.h"
-#include "libspe2/load_program.h"
-#include "libspe2/spe.h"
+#include "spe/program_loader.h"
+#include "spe/spe.h"
 #include "spu_emu/services.h"
 
 namespace spu_emu {

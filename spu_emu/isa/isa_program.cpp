@@ -5,7 +5,6 @@
 
 #include "isa/encoding/disassembler.h"
 #include "isa/timing/code_ranges.h"
-#include "libspe2/program_image.h"
 #include "mfc/format.h"
 
 namespace spu_emu::isa {
@@ -34,7 +33,7 @@ IsaProgram::IsaProgram(Spe& spe)
 
 LoadResult IsaProgram::load(Spe& spe, const spe_program_handle_t& handle) {
   const auto* image = static_cast<const std::byte*>(handle.elf_image);
-  const std::span<const std::byte> file(image, image_size(image));
+  const std::span<const std::byte> file(image, elf_size_in_memory(image));
   ElfResult elf = read_elf(file);
   if (!elf.program) return {nullptr, EINVAL, elf.error};
   auto program = std::make_unique<IsaProgram>(spe);

@@ -11,8 +11,8 @@
 #include "isa/elf/program_store.h"
 #include "isa/libc/library_calls.h"
 #include "isa/timing/cycle_model.h"
-#include "libspe2/load_program.h"
-#include "libspe2/spe.h"
+#include "spe/program_loader.h"
+#include "spe/spe.h"
 
 namespace spu_emu::isa {
 

@@ -8,7 +8,7 @@
 #include <deque>
 #include <mutex>
 
-#include "libspe2/spe.h"
+#include "spe/spe.h"
 
 namespace spu_emu {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "isa/elf/elf_loader.h"
-#include "libspe2/arena.h"
 #include "mfc/local_store.h"
+#include "spe/arena.h"
 #include "spu_emu/emulation.h"
 
 namespace spu_emu::isa {

@@ -1,4 +1,4 @@
-#include "libspe2/trace.h"
+#include "spe/trace.h"
 
 #include <algorithm>
 #include <ostream>

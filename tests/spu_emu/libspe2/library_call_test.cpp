@@ -1,7 +1,7 @@
 // Library calls 0x21xx: handlers of the host, called in the middle of an SPU program.
 #include <cstring>
 
-#include "test_context.h"
+#include "../host/test_context.h"
 
 namespace spu_emu {
 namespace {

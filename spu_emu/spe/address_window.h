@@ -1,6 +1,6 @@
 // The addresses of one emulated SPE, reserved.
-#ifndef SPU_EMU_LIBSPE2_ADDRESS_WINDOW_H
-#define SPU_EMU_LIBSPE2_ADDRESS_WINDOW_H
+#ifndef SPU_EMU_SPE_ADDRESS_WINDOW_H
+#define SPU_EMU_SPE_ADDRESS_WINDOW_H
 
 #include <array>
 #include <cstddef>

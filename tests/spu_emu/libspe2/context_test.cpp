@@ -1,5 +1,5 @@
 // Contexts, gangs, areas and machine information.
-#include "test_context.h"
+#include "../host/test_context.h"
 
 namespace spu_emu {
 namespace {

@@ -1,4 +1,4 @@
-#include "libspe2/address_window.h"
+#include "spe/address_window.h"
 
 #include <sys/mman.h>
 

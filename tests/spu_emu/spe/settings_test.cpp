@@ -1,9 +1,11 @@
 // Emulation settings: process-wide, by scope, and what is refused.
+#include "spe/settings.h"
+
+#include <gtest/gtest.h>
+#include <libspe2.h>
+
 #include <stdexcept>
 #include <thread>
-
-#include "libspe2/settings.h"
-#include "test_context.h"
 
 namespace spu_emu {
 namespace {

@@ -1,5 +1,5 @@
 // Addresses reserved for an SPE, all of its 4 GB or the parts that are used.
-#include "libspe2/address_window.h"
+#include "spe/address_window.h"
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>

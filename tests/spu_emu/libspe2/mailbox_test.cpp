@@ -1,7 +1,7 @@
 // libspe2's side of mailboxes and signals.
 #include <thread>
 
-#include "test_context.h"
+#include "../host/test_context.h"
 
 namespace spu_emu {
 namespace {

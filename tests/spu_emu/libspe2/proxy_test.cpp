@@ -1,7 +1,7 @@
 // Proxy DMA: the host moves bytes into and out of a local store through the MFC.
 #include <cstring>
 
-#include "test_context.h"
+#include "../host/test_context.h"
 
 namespace spu_emu {
 namespace {

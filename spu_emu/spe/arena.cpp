@@ -1,4 +1,4 @@
-#include "libspe2/arena.h"
+#include "spe/arena.h"
 
 #include <sys/mman.h>
 

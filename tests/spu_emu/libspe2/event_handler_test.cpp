@@ -1,7 +1,7 @@
 // Event handlers and the queue of stop information.
 #include <thread>
 
-#include "test_context.h"
+#include "../host/test_context.h"
 
 namespace spu_emu {
 namespace {

@@ -1,6 +1,6 @@
 // What an SPE runs: a loaded program of either engine, and the thread of control in it.
-#ifndef SPU_EMU_LIBSPE2_PROGRAM_H
-#define SPU_EMU_LIBSPE2_PROGRAM_H
+#ifndef SPU_EMU_SPE_PROGRAM_H
+#define SPU_EMU_SPE_PROGRAM_H
 
 #include <cstdint>
 #include <string>

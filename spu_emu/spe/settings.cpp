@@ -1,4 +1,4 @@
-#include "libspe2/settings.h"
+#include "spe/settings.h"
 
 #include <mutex>
 #include <stdexcept>

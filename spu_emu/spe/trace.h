@@ -1,6 +1,6 @@
 // The timeline of all SPEs: spans kept in memory, written as Chrome trace JSON.
-#ifndef SPU_EMU_LIBSPE2_TRACE_H
-#define SPU_EMU_LIBSPE2_TRACE_H
+#ifndef SPU_EMU_SPE_TRACE_H
+#define SPU_EMU_SPE_TRACE_H
 
 #include <iosfwd>
 #include <mutex>

@@ -1,11 +1,10 @@
-#include "libspe2/spe.h"
+#include "spe/spe.h"
 
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <new>
 
-#include "libspe2/load_program.h"
 #include "mfc/format.h"
 
 namespace spu_emu {
@@ -69,7 +68,7 @@ void Spe::unload() {
   program_.reset();
 }
 
-int Spe::load(const spe_program_handle_t& handle) {
+int Spe::load(const spe_program_handle_t& handle, ProgramLoader load_program) {
   unload();
   LoadResult result;
   try {

@@ -1,6 +1,6 @@
 // One emulated SPE: address space, channels, proxy queue, and the program loaded into it.
-#ifndef SPU_EMU_LIBSPE2_SPE_H
-#define SPU_EMU_LIBSPE2_SPE_H
+#ifndef SPU_EMU_SPE_SPE_H
+#define SPU_EMU_SPE_SPE_H
 
 #include <libspe2-types.h>
 
@@ -8,10 +8,11 @@
 #include <mutex>
 #include <string>
 
-#include "libspe2/arena.h"
-#include "libspe2/program.h"
-#include "libspe2/trace.h"
 #include "mfc/spu_channels.h"
+#include "spe/arena.h"
+#include "spe/program.h"
+#include "spe/program_loader.h"
+#include "spe/trace.h"
 #include "spu_emu/emulation.h"
 
 namespace spu_emu {
@@ -24,8 +25,9 @@ class Spe {
   Spe(const Spe&) = delete;
   Spe& operator=(const Spe&) = delete;
 
-  /// Loads an image of either kind. 0, or an errno value with the reason in last_fault().
-  int load(const spe_program_handle_t& program);
+  /// Loads an image in the place of the program before, if there was one. 0, or an errno value with the
+  /// reason in last_fault(); then nothing is loaded.
+  int load(const spe_program_handle_t& handle, ProgramLoader load_program);
   bool loaded() const { return program_ != nullptr; }
   /// Null while nothing is loaded.
   Program* program() { return program_.get(); }

@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
-#include "elf/elf_builder.h"
-#include "encoding/assembler.h"
+#include "../isa/elf/elf_builder.h"
+#include "../isa/encoding/assembler.h"
 
 namespace spu_emu {
 namespace {

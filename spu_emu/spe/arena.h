@@ -1,11 +1,11 @@
 // The address space of one emulated SPE: its local store, its program's stack, its problem state.
-#ifndef SPU_EMU_LIBSPE2_ARENA_H
-#define SPU_EMU_LIBSPE2_ARENA_H
+#ifndef SPU_EMU_SPE_ARENA_H
+#define SPU_EMU_SPE_ARENA_H
 
 #include <cstddef>
 #include <cstdint>
 
-#include "libspe2/address_window.h"
+#include "spe/address_window.h"
 
 namespace spu_emu {
 

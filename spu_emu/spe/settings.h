@@ -1,6 +1,6 @@
 // The settings that the next context of this thread gets.
-#ifndef SPU_EMU_LIBSPE2_SETTINGS_H
-#define SPU_EMU_LIBSPE2_SETTINGS_H
+#ifndef SPU_EMU_SPE_SETTINGS_H
+#define SPU_EMU_SPE_SETTINGS_H
 
 #include "spu_emu/emulation.h"
 
