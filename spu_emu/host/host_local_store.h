@@ -1,5 +1,6 @@
-// The local store of the host engine: an arena, and windows through which a program's own data and stack have
-// LS addresses.
+/// @file
+/// The local store of the host engine: an arena, and windows through which a program's own data and stack
+/// have LS addresses.
 #ifndef SPU_EMU_HOST_HOST_LOCAL_STORE_H
 #define SPU_EMU_HOST_HOST_LOCAL_STORE_H
 

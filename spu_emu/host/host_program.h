@@ -1,4 +1,5 @@
-// A program of the host engine: a module of this machine's code on a stack of its own.
+/// @file
+/// A program of the host engine: a module of this machine's code on a stack of its own.
 #ifndef SPU_EMU_HOST_HOST_PROGRAM_H
 #define SPU_EMU_HOST_HOST_PROGRAM_H
 

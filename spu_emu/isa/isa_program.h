@@ -1,4 +1,5 @@
-// A program of the instruction-level engine: an SPU ELF file in a machine that executes it.
+/// @file
+/// A program of the instruction-level engine: an SPU ELF file in a machine that executes it.
 #ifndef SPU_EMU_ISA_ISA_PROGRAM_H
 #define SPU_EMU_ISA_ISA_PROGRAM_H
 

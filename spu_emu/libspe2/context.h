@@ -1,4 +1,5 @@
-// What a libspe2 context is: an SPE and what the library keeps about it.
+/// @file
+/// What a libspe2 context is: an SPE and what the library keeps about it.
 #ifndef SPU_EMU_LIBSPE2_CONTEXT_H
 #define SPU_EMU_LIBSPE2_CONTEXT_H
 

@@ -1,4 +1,5 @@
-// One MFC command as it is issued, and what its opcode says about it.
+/// @file
+/// One MFC command as it is issued, and what its opcode says about it.
 #ifndef SPU_EMU_MFC_COMMAND_H
 #define SPU_EMU_MFC_COMMAND_H
 

@@ -1,4 +1,5 @@
-// The addresses of one emulated SPE, reserved.
+/// @file
+/// The addresses of one emulated SPE, reserved.
 #ifndef SPU_EMU_SPE_ADDRESS_WINDOW_H
 #define SPU_EMU_SPE_ADDRESS_WINDOW_H
 

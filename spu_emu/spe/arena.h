@@ -1,4 +1,5 @@
-// The address space of one emulated SPE: its local store, its program's stack, its problem state.
+/// @file
+/// The address space of one emulated SPE: its local store, its program's stack, its problem state.
 #ifndef SPU_EMU_SPE_ARENA_H
 #define SPU_EMU_SPE_ARENA_H
 

@@ -1,4 +1,5 @@
-// What an SPE runs: a loaded program of either engine, and the thread of control in it.
+/// @file
+/// What an SPE runs: a loaded program of either engine, and the thread of control in it.
 #ifndef SPU_EMU_SPE_PROGRAM_H
 #define SPU_EMU_SPE_PROGRAM_H
 

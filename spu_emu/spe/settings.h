@@ -1,4 +1,5 @@
-// The settings that the next context of this thread gets.
+/// @file
+/// The settings that the next context of this thread gets.
 #ifndef SPU_EMU_SPE_SETTINGS_H
 #define SPU_EMU_SPE_SETTINGS_H
 

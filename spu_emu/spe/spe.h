@@ -1,4 +1,5 @@
-// One emulated SPE: address space, channels, proxy queue, and the program loaded into it.
+/// @file
+/// One emulated SPE: address space, channels, proxy queue, and the program loaded into it.
 #ifndef SPU_EMU_SPE_SPE_H
 #define SPU_EMU_SPE_SPE_H
 

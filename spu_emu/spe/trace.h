@@ -1,4 +1,5 @@
-// The timeline of all SPEs: spans kept in memory, written as Chrome trace JSON.
+/// @file
+/// The timeline of all SPEs: spans kept in memory, written as Chrome trace JSON.
 #ifndef SPU_EMU_SPE_TRACE_H
 #define SPU_EMU_SPE_TRACE_H
 

@@ -1,4 +1,5 @@
-// The decoded blocks of one local store, by the address they start at.
+/// @file
+/// The decoded blocks of one local store, by the address they start at.
 #ifndef SPU_EMU_ISA_CORE_BLOCK_CACHE_H
 #define SPU_EMU_ISA_CORE_BLOCK_CACHE_H
 

@@ -1,5 +1,6 @@
-// Tables for instructions that move bytes of a register by a count or an address: pshufb controls and masks,
-// for registers kept as four host words.
+/// @file
+/// Tables for instructions that move bytes of a register by a count or an address: pshufb controls and masks,
+/// for registers kept as four host words.
 #ifndef SPU_EMU_ISA_CORE_BYTE_TABLES_H
 #define SPU_EMU_ISA_CORE_BYTE_TABLES_H
 

@@ -1,5 +1,6 @@
-// Calls of an SPU's channels from its instructions: under the host's floating-point mode, and with the
-// instruction's own address in State::pc, where a Fault finds it.
+/// @file
+/// Calls of an SPU's channels from its instructions: under the host's floating-point mode, and with the
+/// instruction's own address in State::pc, where a Fault finds it.
 #ifndef SPU_EMU_ISA_CORE_CHANNEL_ACCESS_H
 #define SPU_EMU_ISA_CORE_CHANNEL_ACCESS_H
 

@@ -1,4 +1,5 @@
-// From instruction words to blocks of Ops.
+/// @file
+/// From instruction words to blocks of Ops.
 #ifndef SPU_EMU_ISA_CORE_DECODER_H
 #define SPU_EMU_ISA_CORE_DECODER_H
 

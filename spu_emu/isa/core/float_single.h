@@ -1,4 +1,5 @@
-// Single-precision results bit for bit, with the flags that the FPSCR collects for them.
+/// @file
+/// Single-precision results bit for bit, with the flags that the FPSCR collects for them.
 #ifndef SPU_EMU_ISA_CORE_FLOAT_SINGLE_H
 #define SPU_EMU_ISA_CORE_FLOAT_SINGLE_H
 

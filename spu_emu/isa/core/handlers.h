@@ -1,4 +1,5 @@
-// Makes handlers of functions on registers, and lists the handlers of every class of instructions.
+/// @file
+/// Makes handlers of functions on registers, and lists the handlers of every class of instructions.
 #ifndef SPU_EMU_ISA_CORE_HANDLERS_H
 #define SPU_EMU_ISA_CORE_HANDLERS_H
 

@@ -1,4 +1,5 @@
-// One SPU that executes real instructions from a local store.
+/// @file
+/// One SPU that executes real instructions from a local store.
 #ifndef SPU_EMU_ISA_CORE_MACHINE_H
 #define SPU_EMU_ISA_CORE_MACHINE_H
 

@@ -1,4 +1,5 @@
-// One double-precision operation in a rounding mode, and the flags that it raises.
+/// @file
+/// One double-precision operation in a rounding mode, and the flags that it raises.
 #ifndef SPU_EMU_ISA_CORE_ROUNDED_H
 #define SPU_EMU_ISA_CORE_ROUNDED_H
 

@@ -1,5 +1,6 @@
-// What the instructions of one SPU work on: registers, FPSCR, local store, and the bookkeeping of running
-// them.
+/// @file
+/// What the instructions of one SPU work on: registers, FPSCR, local store, and the bookkeeping of running
+/// them.
 #ifndef SPU_EMU_ISA_CORE_STATE_H
 #define SPU_EMU_ISA_CORE_STATE_H
 

@@ -1,4 +1,5 @@
-// Which lines of a local store somebody else has written since its machine looked.
+/// @file
+/// Which lines of a local store somebody else has written since its machine looked.
 #ifndef SPU_EMU_ISA_CORE_WRITTEN_LINES_H
 #define SPU_EMU_ISA_CORE_WRITTEN_LINES_H
 

@@ -1,4 +1,5 @@
-// The tables of a 32-bit big-endian ELF file as structs in host order.
+/// @file
+/// The tables of a 32-bit big-endian ELF file as structs in host order.
 #ifndef SPU_EMU_ISA_ELF_ELF_FORMAT_H
 #define SPU_EMU_ISA_ELF_ELF_FORMAT_H
 

@@ -1,4 +1,5 @@
-// Reads SPU ELF files, trusting none of their numbers.
+/// @file
+/// Reads SPU ELF files, trusting none of their numbers.
 #ifndef SPU_EMU_ISA_ELF_ELF_LOADER_H
 #define SPU_EMU_ISA_ELF_ELF_LOADER_H
 

@@ -1,4 +1,5 @@
-// What an SPU ELF file tells beyond its memory image: symbols and the program's name.
+/// @file
+/// What an SPU ELF file tells beyond its memory image: symbols and the program's name.
 #ifndef SPU_EMU_ISA_ELF_ELF_SYMBOLS_H
 #define SPU_EMU_ISA_ELF_ELF_SYMBOLS_H
 

@@ -1,5 +1,6 @@
-// The file of a program with overlays, kept in main memory where the program's overlay manager fetches them
-// by DMA.
+/// @file
+/// The file of a program with overlays, kept in main memory where the program's overlay manager fetches them
+/// by DMA.
 #ifndef SPU_EMU_ISA_ELF_OVERLAY_IMAGE_H
 #define SPU_EMU_ISA_ELF_OVERLAY_IMAGE_H
 

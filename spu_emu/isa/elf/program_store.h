@@ -1,5 +1,6 @@
-// The local store of real SPU code: the image of an ELF file in it, the limit it is held to, and what is in
-// use.
+/// @file
+/// The local store of real SPU code: the image of an ELF file in it, the limit it is held to, and what is in
+/// use.
 #ifndef SPU_EMU_ISA_ELF_PROGRAM_STORE_H
 #define SPU_EMU_ISA_ELF_PROGRAM_STORE_H
 

@@ -1,4 +1,5 @@
-// Words of the SPU's byte order, read from and written to bytes at any address.
+/// @file
+/// Words of the SPU's byte order, read from and written to bytes at any address.
 #ifndef SPU_EMU_ISA_ENCODING_BIG_ENDIAN_H
 #define SPU_EMU_ISA_ENCODING_BIG_ENDIAN_H
 

@@ -1,4 +1,5 @@
-// Instruction words as assembler text.
+/// @file
+/// Instruction words as assembler text.
 #ifndef SPU_EMU_ISA_ENCODING_DISASSEMBLER_H
 #define SPU_EMU_ISA_ENCODING_DISASSEMBLER_H
 

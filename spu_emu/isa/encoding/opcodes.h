@@ -1,4 +1,5 @@
-// The instructions of the SPU: names, encodings, operands, and the unit that executes each of them.
+/// @file
+/// The instructions of the SPU: names, encodings, operands, and the unit that executes each of them.
 #ifndef SPU_EMU_ISA_ENCODING_OPCODES_H
 #define SPU_EMU_ISA_ENCODING_OPCODES_H
 

@@ -1,4 +1,5 @@
-// The files of this machine that an SPU program has open, by the numbers it knows them by.
+/// @file
+/// The files of this machine that an SPU program has open, by the numbers it knows them by.
 #ifndef SPU_EMU_ISA_LIBC_HOST_FILES_H
 #define SPU_EMU_ISA_LIBC_HOST_FILES_H
 

@@ -1,5 +1,6 @@
-// The library calls of SPU programs (stop codes 0x2100, 0x2101, 0x2104): what newlib's C library asks the
-// host to do.
+/// @file
+/// The library calls of SPU programs (stop codes 0x2100, 0x2101, 0x2104): what newlib's C library asks the
+/// host to do.
 #ifndef SPU_EMU_ISA_LIBC_LIBRARY_CALLS_H
 #define SPU_EMU_ISA_LIBC_LIBRARY_CALLS_H
 

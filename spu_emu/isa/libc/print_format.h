@@ -1,4 +1,5 @@
-// The printf family for an SPU program: its format and arguments lie in the local store.
+/// @file
+/// The printf family for an SPU program: its format and arguments lie in the local store.
 #ifndef SPU_EMU_ISA_LIBC_PRINT_FORMAT_H
 #define SPU_EMU_ISA_LIBC_PRINT_FORMAT_H
 

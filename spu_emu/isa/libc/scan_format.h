@@ -1,4 +1,5 @@
-// The scanf family for an SPU program: its format and the places for its results lie in the local store.
+/// @file
+/// The scanf family for an SPU program: its format and the places for its results lie in the local store.
 #ifndef SPU_EMU_ISA_LIBC_SCAN_FORMAT_H
 #define SPU_EMU_ISA_LIBC_SCAN_FORMAT_H
 

@@ -1,4 +1,5 @@
-// What the files that serve the calls of <stdio.h> share.
+/// @file
+/// What the files that serve the calls of <stdio.h> share.
 #ifndef SPU_EMU_ISA_LIBC_STDIO_CALL_H
 #define SPU_EMU_ISA_LIBC_STDIO_CALL_H
 

@@ -1,4 +1,5 @@
-// A local store's bytes for the host side of library calls: every access is checked and told to the machine.
+/// @file
+/// A local store's bytes for the host side of library calls: every access is checked and told to the machine.
 #ifndef SPU_EMU_ISA_LIBC_STORE_BYTES_H
 #define SPU_EMU_ISA_LIBC_STORE_BYTES_H
 

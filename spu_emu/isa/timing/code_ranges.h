@@ -1,4 +1,5 @@
-// Which parts of a program belong to which function, by its symbols.
+/// @file
+/// Which parts of a program belong to which function, by its symbols.
 #ifndef SPU_EMU_ISA_TIMING_CODE_RANGES_H
 #define SPU_EMU_ISA_TIMING_CODE_RANGES_H
 

@@ -1,4 +1,5 @@
-// The clock of an SPU: when each executed instruction would issue on a Cell.
+/// @file
+/// The clock of an SPU: when each executed instruction would issue on a Cell.
 #ifndef SPU_EMU_ISA_TIMING_CYCLE_MODEL_H
 #define SPU_EMU_ISA_TIMING_CYCLE_MODEL_H
 
