@@ -42,10 +42,11 @@ void IdTable::reserve_for(std::span<const BodyId> ids) {
 }
 
 // False when the id is there.
-bool IdTable::map(BodyId id, Slot slot) {
+inline bool IdTable::map(BodyId id, Slot slot) {
   if (id >= direct_.size()) return sparse_.insert(id, slot);
-  if (direct_[id] != kNoSlot || sparse_.find(id) != kNoSlot) return false;
-  direct_[id] = slot;
+  Slot& entry = direct_[id];
+  if (entry != kNoSlot || sparse_.find(id) != kNoSlot) return false;
+  entry = slot;
   return true;
 }
 
@@ -84,7 +85,7 @@ bool IdTable::insert(std::span<const BodyId> ids, Vector<Slot>& slots) {
 bool IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
   const auto first = static_cast<Slot>(ids_.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
+    if (sparse_.size() > 0 && i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
     if (map(ids[i], first + static_cast<Slot>(i))) continue;
     for (const BodyId id : ids.first(i)) unmap(id);
     return false;
