@@ -12,7 +12,7 @@ namespace cellsweep::cell {
 namespace {
 
 Status failed(unsigned index, const std::string& why) {
-  return {StatusCode::spe_failed, text("SPE ", index, " failed: ", why), std::nullopt, index, 0, ""};
+  return Status::spe_failed(text("SPE ", index, " failed: ", why), index);
 }
 
 /// What a call of libspe2 left in errno; where the machine has no SPE, some of its versions leave nothing.
@@ -76,6 +76,7 @@ Status SpeGroup::run(std::span<void* const> jobs) {
 
 void SpeGroup::start(std::span<void* const> jobs) {
   started_ = started_ || !jobs.empty();
+  for (const auto& spe : spes_) spe->cpu_milliseconds = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     Spe& spe = *spes_[i];
     spe.running.store(true, std::memory_order_release);
@@ -107,9 +108,6 @@ Status SpeGroup::join() {
     spe.thread.join();
     if (!spe.fault.empty() && first.ok()) first = failed(i, spe.fault);
   }
-  for (unsigned i = 0; i < size() && !first.ok(); ++i) {
-    if (Status status = load(i); !status.ok()) return status;
-  }
   return first;
 }
 
@@ -117,6 +115,13 @@ double SpeGroup::longest_cpu_milliseconds() const {
   double longest = 0;
   for (const auto& spe : spes_) longest = std::max(longest, spe->cpu_milliseconds);
   return longest;
+}
+
+CellStatistics SpeGroup::take_statistics() {
+  const SpeCounts all = counts();
+  return {
+      longest_cpu_milliseconds(), all.gets,        all.puts, all.bytes_in, all.bytes_out, all.list_elements,
+      all.local_store_high_water, take_cell_time()};
 }
 
 std::optional<CellTime> SpeGroup::take_cell_time() {
@@ -143,6 +148,14 @@ SpeCounts SpeGroup::counts() const {
   SpeCounts sum;
   for (const auto& spe : spes_) sum += emulation_->counts(spe->context);
   return sum;
+}
+
+void add_counters(const CellStatistics& statistics, std::vector<Counter>& counters) {
+  counters.insert(counters.end(), {{"dma gets", statistics.dma_gets},
+                                   {"dma puts", statistics.dma_puts},
+                                   {"dma bytes in", statistics.dma_bytes_in},
+                                   {"dma bytes out", statistics.dma_bytes_out},
+                                   {"local store high water", statistics.local_store_high_water}});
 }
 
 }  // namespace cellsweep::cell
