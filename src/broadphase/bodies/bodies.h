@@ -58,6 +58,7 @@ class Bodies {
   bool checks_ascend(unsigned workers) const;
   void gather_moves(Crew& crew, std::size_t first, std::size_t count);
   void keep_moves(std::size_t first);
+  void move_again(const ChangedBody& body);
   void forget_move(BodyState state);
 
   IdTable table_;
