@@ -15,6 +15,8 @@
 #include "engines/oracle/brute_force.h"
 #include "engines/stream/make_stream.h"
 
+extern "C" spe_program_handle_t cell_failing_spu;
+
 namespace cellsweep::cell {
 namespace {
 
@@ -22,99 +24,98 @@ using contract::Random;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// SPEs with so much local store, of which twice as much is promised; the second time as they should be.
-class BoastsOnce {
+/// SPEs that are none the first time, and the second time as they should be.
+class MendedSpes {
  public:
-  explicit BoastsOnce(std::uint64_t local_store) : local_store_(local_store) {}
+  explicit MendedSpes(std::shared_ptr<Emulation> first) : first_(std::move(first)) {}
 
-  std::shared_ptr<Emulation> next() {
-    if (times_++ > 0) return *make_emulation({});
-    return std::make_shared<Boaster>(*make_emulation({.local_store = local_store_}));
-  }
-
+  std::shared_ptr<Emulation> next() { return times_++ == 0 ? first_ : *make_emulation({}); }
   int times() const { return times_; }
 
  private:
-  std::uint64_t local_store_;
+  std::shared_ptr<Emulation> first_;
   int times_ = 0;
 };
 
 struct Failing {
   std::string name;
-  std::uint64_t local_store;  // with twice as much there is more room than bodies
-  Result<Broadphase> (*make)(std::shared_ptr<BoastsOnce> spes);
+  Result<Broadphase> (*make)(std::shared_ptr<MendedSpes> spes);
 };
 
 void PrintTo(const Failing& failing, std::ostream* out) {
   *out << failing.name;
 }
 
-template <class Engine_, class Options>
-Result<Broadphase> make_engine(std::shared_ptr<BoastsOnce> spes) {
-  return EngineAccess::make("tested", [spes] { return Engine_::make(Options{}, spes->next()); });
+template <class TestedEngine, class Options>
+Result<Broadphase> make_engine(std::shared_ptr<MendedSpes> spes) {
+  return EngineAccess::make("tested", [spes] { return TestedEngine::make(Options{}, spes->next()); });
 }
 
-Result<Broadphase> make_stream(std::shared_ptr<BoastsOnce> spes) {
+Result<Broadphase> make_stream(std::shared_ptr<MendedSpes> spes) {
   const auto maker = [spes] { return StreamSpes::make({}, spes->next()); };
   return stream::make_stream_broadphase({}, "tested", maker, "tested");
 }
 
-const Failing kFailing[] = {{"paper", 128 << 10, make_engine<Paper, CellPaperOptions>},
-                            {"brute", 96 << 10, make_engine<Brute, CellBruteOptions>},
-                            {"stream", 80 << 10, make_stream}};
+const Failing kPaper = {"paper", make_engine<Paper, CellPaperOptions>};
+const Failing kBrute = {"brute", make_engine<Brute, CellBruteOptions>};
+const Failing kStream = {"stream", make_stream};
 
-class SpeFailure : public testing::TestWithParam<Failing> {
- protected:
-  std::shared_ptr<BoastsOnce> spes_ = std::make_shared<BoastsOnce>(GetParam().local_store);
-};
+using SpeFailure = testing::TestWithParam<Failing>;
 
-TEST_P(SpeFailure, LeavesTheUpdateBeforeAndIsMendedByTheNextOne) {
-  Broadphase engine = std::move(*GetParam().make(spes_));
+TEST_P(SpeFailure, LeavesNothingBehindAndIsMendedByTheNextUpdate) {
+  const auto spes =
+      std::make_shared<MendedSpes>(std::make_shared<WrongProgram>(*make_emulation({}), cell_failing_spu));
+  Broadphase engine = std::move(*GetParam().make(spes));
   Random random(1);
-  const std::vector<Aabb> boxes = random_boxes(random, 2000);
+  const std::vector<Aabb> boxes = random_boxes(random, 300);
   const std::vector<BodyId> ids = ids_up_to(boxes.size());
   ASSERT_TRUE(engine.insert(ids, boxes).ok());
   const Status failed = engine.update().status();
   EXPECT_EQ(failed.code, StatusCode::spe_failed);
-  EXPECT_THAT(failed.message, HasSubstr("local store"));
+  EXPECT_THAT(failed.message, HasSubstr("its program ended with code 7"));
   EXPECT_THAT(engine.pairs(), IsEmpty());
   EXPECT_EQ(engine.size(), boxes.size());
-  EXPECT_EQ(spes_->times(), 1);
+  EXPECT_EQ(spes->times(), 1);
   const auto changes = engine.update();
   ASSERT_TRUE(changes.ok()) << changes.status().message;
-  EXPECT_EQ(spes_->times(), 2);
+  EXPECT_EQ(spes->times(), 2);
   EXPECT_EQ(pairs_of(engine), brute_force_pairs(ids, boxes));
   EXPECT_EQ(changes->began.size(), engine.pairs().size());
   EXPECT_EQ(engine.statistics().updates, 1U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, SpeFailure, testing::ValuesIn(kFailing),
+INSTANTIATE_TEST_SUITE_P(Engines, SpeFailure, testing::Values(kPaper, kBrute, kStream),
                          [](const auto& test) { return test.param.name; });
 
-/// Of engines whose SPEs can do a little work before they fail.
-using LateSpeFailure = SpeFailure;
+/// Of SPEs that can do a little work before they fail.
+using LateSpeFailure = testing::TestWithParam<Failing>;
 
 TEST_P(LateSpeFailure, KeepsWhatWasFoundBefore) {
-  Broadphase engine = std::move(*GetParam().make(spes_));
+  const auto spes = std::make_shared<MendedSpes>(
+      std::make_shared<Boaster>(*make_emulation({.local_store = std::uint64_t{112} << 10})));
+  Broadphase engine = std::move(*GetParam().make(spes));
   ASSERT_TRUE(engine.insert(ids_up_to(2), std::vector<Aabb>{cube(0), cube(0.5F)}).ok());
   ASSERT_TRUE(engine.update().ok());
   Random random(2);
-  std::vector<BodyId> more = ids_up_to(2000);
-  more.erase(more.begin(), more.begin() + 2);
-  std::vector<Aabb> boxes = random_boxes(random, more.size());
-  ASSERT_TRUE(engine.insert(more, boxes).ok());
+  const auto seemingly_fit = static_cast<std::size_t>(engine.capacity().bodies);
+  std::vector<BodyId> ids = ids_up_to(seemingly_fit);
+  std::vector<Aabb> boxes = random_boxes(random, seemingly_fit);
+  boxes[1] = cube(0.5F);
+  ASSERT_TRUE(engine.insert(std::span(ids).subspan(2), std::span(boxes).subspan(2)).ok());
   ASSERT_TRUE(engine.remove(0).ok());
-  ASSERT_EQ(engine.update().status().code, StatusCode::spe_failed);
+  const Status failed = engine.update().status();
+  ASSERT_EQ(failed.code, StatusCode::spe_failed);
+  EXPECT_THAT(failed.message, HasSubstr("local store"));
   EXPECT_THAT(engine.pairs(), testing::ElementsAre(Pair{0, 1}));
   const auto changes = engine.update();
   ASSERT_TRUE(changes.ok()) << changes.status().message;
   EXPECT_THAT(changes->ended, testing::ElementsAre(Pair{0, 1}));
-  more.insert(more.begin(), 1);
-  boxes.insert(boxes.begin(), cube(0.5F));
-  EXPECT_EQ(pairs_of(engine), brute_force_pairs(more, boxes));
+  ids.erase(ids.begin());
+  boxes.erase(boxes.begin());
+  EXPECT_EQ(pairs_of(engine), brute_force_pairs(ids, boxes));
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, LateSpeFailure, testing::Values(kFailing[0], kFailing[1]),
+INSTANTIATE_TEST_SUITE_P(Engines, LateSpeFailure, testing::Values(kPaper, kBrute),
                          [](const auto& test) { return test.param.name; });
 
 /// cell-resident on SPEs that can be told to end.
@@ -187,6 +188,13 @@ TEST(SpesThatAreNotThere, AreAStatusAndNoHang) {
     EXPECT_EQ(Resident::make({}, spes()).status().code, StatusCode::spe_failed);
     EXPECT_EQ(StreamSpes::make({}, spes()).status().code, StatusCode::spe_failed);
   }
+}
+
+TEST(SpesThatFailAtOnce, AreAStatusWithTheirCode) {
+  const auto wrong = std::make_shared<WrongProgram>(*make_emulation({}), cell_failing_spu);
+  const Status status = Resident::make({}, wrong).status();
+  EXPECT_EQ(status.code, StatusCode::spe_failed);
+  EXPECT_THAT(status.message, HasSubstr("its program ended with code 7"));
 }
 
 TEST(SpesThatFailAtOnce, AreAStatusWithTheRuleThatTheyBroke) {

@@ -53,6 +53,18 @@ class Boaster final : public PassingEmulation {
   }
 };
 
+/// Loads another program than it is asked to.
+class WrongProgram final : public PassingEmulation {
+ public:
+  WrongProgram(std::shared_ptr<Emulation> all, spe_program_handle_t& program)
+      : PassingEmulation(std::move(all)), program_(program) {}
+
+  spe_program_handle_t& image(spe_program_handle_t&) const override { return program_; }
+
+ private:
+  spe_program_handle_t& program_;
+};
+
 /// Knows the SPEs that it gave out.
 class KnownSpes final : public PassingEmulation {
  public:

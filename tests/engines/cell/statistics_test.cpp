@@ -28,6 +28,7 @@ TEST_P(CellStatisticsOf, AreThoseOfTheCountersForPeople) {
   EXPECT_EQ(statistics->local_store_high_water, counter(engine_, "local store high water"));
   EXPECT_FALSE(statistics->time.has_value()) << "not asked for";
   EXPECT_EQ(statistics->longest_spu_ms > 0, GetParam().name != "resident") << "its programs run on";
+  EXPECT_GT(engine_.statistics().bytes, 0U);
 }
 
 TEST_P(CellStatisticsOf, AreThereBeforeTheFirstUpdate) {
@@ -36,23 +37,38 @@ TEST_P(CellStatisticsOf, AreThereBeforeTheFirstUpdate) {
   EXPECT_EQ(statistics->dma_gets, 0U);
 }
 
-TEST_P(CellStatisticsOf, AccompanyPhasesOfWhichTheSpesHaveOne) {
+INSTANTIATE_TEST_SUITE_P(Engines, CellStatisticsOf, testing::ValuesIn(kEngines),
+                         [](const auto& test) { return test.param.name; });
+
+using PhasesOf = CellStatisticsOf;
+
+TEST_P(PhasesOf, HaveOneOfTheSpes) {
   ASSERT_TRUE(engine_.insert(ids_up_to(2), std::vector<Aabb>{cube(0), cube(0.5F)}).ok());
   ASSERT_TRUE(engine_.update().ok());
-  if (GetParam().name == "stream") GTEST_SKIP() << "its phases are those of engine stream";
   const auto& phases = engine_.statistics().phases;
   const auto of_kind = [&](PhaseKind kind) { return std::ranges::count(phases, kind, &Phase::kind); };
   EXPECT_EQ(of_kind(PhaseKind::spes), 1);
   EXPECT_EQ(of_kind(PhaseKind::setup), GetParam().name == "paper" ? 1 : 0);
-  EXPECT_GT(engine_.statistics().bytes, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, CellStatisticsOf, testing::ValuesIn(kEngines),
+// Those of cell-stream are those of engine stream.
+INSTANTIATE_TEST_SUITE_P(Engines, PhasesOf, testing::Values(kEngines[0], kEngines[1], kEngines[2]),
                          [](const auto& test) { return test.param.name; });
 
 TEST(CellStatisticsOfOthers, AreNone) {
   EXPECT_FALSE(cell_statistics(*make_broadphase(ControlOptions{})).has_value());
   EXPECT_FALSE(cell_statistics(Broadphase()).has_value());
+}
+
+TEST(CellStatisticsOfStream, AreThoseOfTheLastUpdateWhicheverKindItWas) {
+  Broadphase engine = make(CellStreamOptions{});
+  ASSERT_TRUE(engine.insert(ids_up_to(50), std::vector<Aabb>(50, cube(0))).ok());
+  ASSERT_TRUE(engine.update().ok());
+  EXPECT_GT(cell_statistics(engine)->longest_spu_ms, 0);
+  const std::uint64_t gets = cell_statistics(engine)->dma_gets;
+  ASSERT_TRUE(engine.update().ok());
+  EXPECT_EQ(cell_statistics(engine)->longest_spu_ms, 0) << "nothing had changed";
+  EXPECT_EQ(cell_statistics(engine)->dma_gets, gets);
 }
 
 TEST(CellStatisticsOfPaper, CountListElementsAndNoSpuTimeOfAnUpdateWithoutBodies) {

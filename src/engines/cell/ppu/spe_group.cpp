@@ -118,29 +118,35 @@ double SpeGroup::longest_cpu_milliseconds() const {
 }
 
 CellStatistics SpeGroup::take_statistics() {
-  const SpeCounts all = counts();
-  return {
-      longest_cpu_milliseconds(), all.gets,        all.puts, all.bytes_in, all.bytes_out, all.list_elements,
-      all.local_store_high_water, take_cell_time()};
+  CellStatistics taken = statistics();
+  for (const auto& spe : spes_) spe->before = spe->now;
+  aside_milliseconds_ = 0;
+  started_ = false;
+  return taken;
 }
 
-std::optional<CellTime> SpeGroup::take_cell_time() {
+CellStatistics SpeGroup::statistics() {
+  const SpeCounts all = counts();
+  return {longest_cpu_milliseconds(), all.gets,   all.puts, all.bytes_in, all.bytes_out, all.list_elements,
+          all.local_store_high_water, cell_time()};
+}
+
+std::optional<CellTime> SpeGroup::cell_time() {
   if (!counts_cycles_) return std::nullopt;
   CellTime time;
-  take_steps(time);
-  time.set_aside_ms = std::exchange(aside_milliseconds_, 0);
-  time.threads_started = std::exchange(started_, false);
+  list_steps(time);
+  time.set_aside_ms = aside_milliseconds_;
+  time.threads_started = started_;
   return time;
 }
 
 // Asking takes time, too, which a Cell would not spend.
-void SpeGroup::take_steps(CellTime& time) {
+void SpeGroup::list_steps(CellTime& time) {
   const Aside aside(*this);
   for (const auto& spe : spes_) {
     const SpeCycles cycles = emulation_->cycles(spe->context);
-    const StepCycles now = cycles_by_step(cycles.functions);
-    time.spes.push_back(spe_time(now, spe->counted, cycles.hertz));
-    spe->counted = now;
+    spe->now = cycles_by_step(cycles.functions);
+    time.spes.push_back(spe_time(spe->now, spe->before, cycles.hertz));
   }
 }
 

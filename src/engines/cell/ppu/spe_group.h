@@ -74,8 +74,10 @@ class SpeGroup {
   /// The largest of cpu_milliseconds().
   double longest_cpu_milliseconds() const;
 
-  /// The SPEs' statistics now; of programs that run, as of about now. On a Cell's clock since the call
-  /// before.
+  /// The SPEs' statistics; of programs that run, as of about now. On a Cell's clock since take_statistics().
+  CellStatistics statistics();
+
+  /// The same; an update ends, or begins, here.
   CellStatistics take_statistics();
 
  private:
@@ -85,14 +87,15 @@ class SpeGroup {
     std::atomic<bool> running = false;
     double cpu_milliseconds = 0;
     std::string fault{};
-    StepCycles counted{};  // by take_statistics() until now
+    StepCycles now{};     // when statistics() were asked for last
+    StepCycles before{};  // and take_statistics()
   };
 
   SpeGroup(spe_program_handle_t& program, std::shared_ptr<Emulation> emulation);
   Status add_spe(unsigned of);
   SpeCounts counts() const;
-  std::optional<CellTime> take_cell_time();
-  void take_steps(CellTime& time);
+  std::optional<CellTime> cell_time();
+  void list_steps(CellTime& time);
   Status load(unsigned index);
   void run_program(Spe& spe, void* job) const;
 

@@ -111,20 +111,30 @@ void StreamSpes::take_results(stream::KeyBuffer& found) {
   }
 }
 
-void StreamSpes::find(std::span<const stream::CellBoxes> cells, stream::KeyBuffer& found) {
+void StreamSpes::begin_update() {
   std::fill(milliseconds_.begin(), milliseconds_.end(), 0);
+  static_cast<void>(spes_->take_statistics());
+  refresh_statistics();
+}
+
+void StreamSpes::find(std::span<const stream::CellBoxes> cells, stream::KeyBuffer& found) {
   share_out(cells);
   for (std::vector<void*> jobs = prepare_jobs(); !jobs.empty(); jobs = prepare_jobs()) {
     run(jobs);
     take_results(found);
   }
-  cell_statistics_ = spes_->take_statistics();
-  cell_statistics_.longest_spu_ms = *std::max_element(milliseconds_.begin(), milliseconds_.end());
+  refresh_statistics();
 }
 
 void StreamSpes::run(std::span<void* const> jobs) {
   if (Status status = spes_->run(jobs); !status.ok()) throw stream::PieceFailure{std::move(status)};
   for (unsigned i = 0; i < spes_->size(); ++i) milliseconds_[i] += spes_->cpu_milliseconds(i);
+}
+
+// There may be several runs in an update.
+void StreamSpes::refresh_statistics() {
+  cell_statistics_ = spes_->statistics();
+  cell_statistics_.longest_spu_ms = *std::max_element(milliseconds_.begin(), milliseconds_.end());
 }
 
 void StreamSpes::add_counters(std::vector<Counter>& counters) const {

@@ -21,13 +21,14 @@ Status check(const CellStreamOptions& options);
 /// What an SPU of cell-stream allocates, whatever the number of bodies.
 std::vector<LocalStorePart> stream_buffers(std::uint64_t bodies);
 
-/// As a CellEngine it tells of the last find().
+/// As a CellEngine it tells of the last update.
 class StreamSpes final : public stream::PieceFinder, public CellEngine {
  public:
   /// Errors: bad_option for spus, capacity for a local store that the buffers do not fit into, spe_failed.
   static Result<std::unique_ptr<stream::PieceFinder>> make(const CellStreamOptions& options,
                                                            std::shared_ptr<Emulation> emulation);
 
+  void begin_update() override;
   void find(std::span<const stream::CellBoxes> cells, stream::KeyBuffer& found) override;
   void add_counters(std::vector<Counter>& counters) const override;
   const CellStatistics& cell_statistics() const override { return cell_statistics_; }
@@ -46,12 +47,13 @@ class StreamSpes final : public stream::PieceFinder, public CellEngine {
   std::vector<void*> prepare_jobs();
   void run(std::span<void* const> jobs);
   void take_results(stream::KeyBuffer& found);
+  void refresh_statistics();
 
   std::unique_ptr<SpeGroup> spes_;
   std::vector<Share> shares_;
   DmaVector<StreamJob> jobs_;
   DmaVector<StreamResult> results_;
-  std::vector<double> milliseconds_;  // by SPE: CPU time in this find()
+  std::vector<double> milliseconds_;  // by SPE: CPU time in this update
   CellStatistics cell_statistics_;
   std::uint64_t pieces_ = 0;
 };
