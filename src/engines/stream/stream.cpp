@@ -61,6 +61,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
     return FoundPairs{};
   }
   PhaseTimer timer(statistics.phases);
+  if (parts_.finder) parts_.finder->begin_update();
   Kind kind = take(changes);
   timer.lap("fat boxes");
   FoundPairs found;
