@@ -58,12 +58,12 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
 }
 
 Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statistics) {
+  if (parts_.finder) parts_.finder->begin_update();
   if (changes.none()) {
     note_idle(statistics);
     return FoundPairs{};
   }
   PhaseTimer timer(statistics.phases);
-  if (parts_.finder) parts_.finder->begin_update();
   Kind kind = take(changes);
   timer.lap("fat boxes");
   FoundPairs found;
