@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "engines/embree/hand_over.h"
+#include "base/inside_embree.h"
 
 namespace cellsweep::embree {
 namespace {
