@@ -5,9 +5,9 @@
 #include <span>
 #include <utility>
 
-#include "broadphase/brute_force.h"
 #include "base/text.h"
 #include "contract/box_kinds.h"
+#include "engines/oracle/brute_force.h"
 
 namespace cellsweep::contract {
 namespace {

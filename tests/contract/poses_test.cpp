@@ -11,11 +11,11 @@
 #include <optional>
 #include <vector>
 
-#include "broadphase/brute_force.h"
 #include "cellsweep/engines.h"
 #include "contract/contract_engines.h"
 #include "contract/effort.h"
 #include "contract/random.h"
+#include "engines/oracle/brute_force.h"
 #include "world/scene_probe.h"
 
 namespace cellsweep::contract {

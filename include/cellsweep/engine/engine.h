@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -12,39 +11,11 @@
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/broadphase.h"
+#include "cellsweep/engine/slots.h"
 #include "cellsweep/export.h"
 #include "cellsweep/status.h"
 
 namespace cellsweep {
-
-/// A body's place: a small number that Broadphase gives it for as long as it is there.
-using Slot = std::uint32_t;
-inline constexpr Slot kNoSlot = std::numeric_limits<Slot>::max();
-
-/// The bits of a slot: there are never more of them.
-inline constexpr unsigned kSlotBits = 29;
-inline constexpr Slot kSlotMask = (1U << kSlotBits) - 1;
-
-/// The box in a slot without a body: NaN, so that it overlaps nothing.
-inline constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
-inline constexpr Aabb kNobody = {{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, kNowhere}};
-
-/// Two slots, `a < b`.
-struct SlotPair {
-  Slot a = 0;
-  Slot b = 0;
-
-  friend auto operator<=>(const SlotPair&, const SlotPair&) = default;
-};
-
-constexpr SlotPair make_slot_pair(Slot one, Slot other) {
-  return one < other ? SlotPair{one, other} : SlotPair{other, one};
-}
-
-/// `(a << 32) | b`.
-constexpr std::uint64_t pair_key(SlotPair pair) {
-  return (std::uint64_t{pair.a} << 32) | pair.b;
-}
 
 /// A body that had another box, or was there, at the last update.
 struct ChangedBody {
@@ -72,6 +43,8 @@ struct FoundPairs {
   std::span<const std::span<const std::uint64_t>> more_began{};
   /// Everything is in `began` and `more_began`: all pairs that there are now, whatever was before.
   bool is_whole_set = false;
+
+  bool none() const { return began.empty() && ended.empty() && more_began.empty() && !is_whole_set; }
 };
 
 /// An engine behind a Broadphase, which owns the boxes, knows the ids, checks the input and keeps the pairs.
@@ -86,18 +59,24 @@ class CELLSWEEP_API Engine {
   /// Always the same.
   virtual Capacity capacity() const = 0;
 
-  /// Finds the pairs as they are with these changes. Fills `statistics`, but for its number of updates.
+  /// Finds the pairs as they are with these changes. Fills the phases and counters of `statistics` and adds
+  /// to its bytes.
   virtual Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) = 0;
 };
 
 /// Makes an engine, again after one has failed. Errors become those of make_broadphase() and update().
 using EngineMaker = std::function<Result<std::unique_ptr<Engine>>()>;
 
+struct HandleParts;
+
 /// How a Broadphase gets its engine, and how an engine's own functions get at it again.
 struct CELLSWEEP_API EngineAccess {
   /// `name` is a literal. A `trace` file that is not empty gets a row `row_name` of its calls and phases.
   static Result<Broadphase> make(std::string_view name, EngineMaker maker, const std::string& trace = {},
                                  std::string row_name = {});
+
+  /// The same for engines of this library, which share threads with their Broadphase.
+  static Result<Broadphase> make(HandleParts parts);
 
   static Engine& engine_of(Broadphase& broadphase);
   static const Engine& engine_of(const Broadphase& broadphase);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "broadphase/brute_force.h"
+#include "engines/oracle/brute_force.h"
 
 #include "engines/stream/worlds.h"
 

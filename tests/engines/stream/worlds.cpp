@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "broadphase/brute_force.h"
+#include "engines/oracle/brute_force.h"
 
 namespace cellsweep::stream {
 

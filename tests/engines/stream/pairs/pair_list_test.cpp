@@ -6,8 +6,8 @@
 #include <deque>
 #include <set>
 
+#include "base/pair_sort.h"
 #include "contract/random.h"
-#include "broadphase/pairs/pair_sort.h"
 
 namespace cellsweep::stream {
 namespace {
@@ -24,7 +24,7 @@ class Parts {
   }
   void add(std::size_t part, Pair pair) {
     KeyBuffer& buffer = keys_[part % keys_.size()].buffer();
-    buffer.need(1);
+    make_room(buffer, 1);
     buffer.keys[buffer.size++] = pair_key(pair);
   }
   std::span<Keys* const> view() const { return pointers_; }
