@@ -1,6 +1,6 @@
 /// @file
 /// The oracle judged by a second one that is written another way, and by scenes that can be counted by hand.
-#include "broadphase/brute_force.h"
+#include "engines/oracle/brute_force.h"
 
 #include <gmock/gmock.h>
 
