@@ -8,7 +8,7 @@
 
 #include "bench/engine_row.h"
 #include "bench/first_attempt.h"
-#include "broadphase/brute_force.h"
+#include "engines/oracle/brute_force.h"
 
 namespace cellsweep::bench {
 namespace {

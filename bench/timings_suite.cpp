@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/engine_row.h"
-#include "broadphase/brute_force.h"
+#include "engines/oracle/brute_force.h"
 #include "report/quantile.h"
 #include "report/run_engine.h"
 

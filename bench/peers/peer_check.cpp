@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "bench/peers/grid_oracle.h"
-#include "broadphase/brute_force.h"
+#include "engines/oracle/brute_force.h"
 
 namespace cellsweep::bench {
 namespace {

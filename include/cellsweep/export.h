@@ -3,7 +3,7 @@
 #pragma once
 
 #if defined(__GNUC__)
-#define CELLSWEEP_API __attribute__((visibility("default")))
+#define CELLSWEEP_API [[gnu::visibility("default")]]
 #else
 #define CELLSWEEP_API
 #endif

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "cellsweep/export.h"
+
 namespace cellsweep {
 
 /// A name the caller gives to a body: any 32-bit number, dense or sparse.
@@ -47,6 +49,6 @@ constexpr std::uint64_t pair_set_hash(std::span<const Pair> pairs) {
 }
 
 /// A hash as it is printed everywhere: sixteen lower-case hex digits.
-std::string hash_text(std::uint64_t hash);
+CELLSWEEP_API std::string hash_text(std::uint64_t hash);
 
 }  // namespace cellsweep

@@ -28,17 +28,18 @@ enum class StatusCode {
 };
 
 /// The outcome of a call. When it is not ok, the call changed nothing.
-struct CELLSWEEP_API [[nodiscard]] Status {
+struct [[nodiscard]] CELLSWEEP_API Status {
   /// A status names at most so many of the bodies at fault; `number` counts them all.
   static constexpr std::size_t kMostBodies = 16;
 
   StatusCode code = StatusCode::ok;
   std::string message{};  ///< a whole sentence for a person: what, which number, which limit, what to change
   std::optional<BodyId> body{};  ///< the first body at fault, when one is
-  std::vector<BodyId> bodies{};  ///< the bodies at fault, in the order of the call, the first kMostBodies of them
-  std::uint64_t number = 0;      ///< what was asked for; of bodies at fault, how many there are
-  std::uint64_t limit = 0;       ///< what is allowed, where there is a limit
-  std::string setting{};         ///< the option to change; empty when none would help
+  std::vector<BodyId>
+      bodies{};              ///< the bodies at fault, in the order of the call, the first kMostBodies of them
+  std::uint64_t number = 0;  ///< what was asked for; of bodies at fault, how many there are
+  std::uint64_t limit = 0;   ///< what is allowed, where there is a limit
+  std::string setting{};     ///< the option to change; empty when none would help
 
   bool ok() const { return code == StatusCode::ok; }
 

@@ -34,12 +34,7 @@ Result<std::shared_ptr<Timeline>> Timeline::open(const std::string& path) {
   std::shared_ptr<Timeline> timeline = known.lock();
   if (!timeline) known = timeline = std::make_shared<Timeline>(path);
   if (timeline->out_.good()) return timeline;
-  return Status{StatusCode::bad_option,
-                text("The trace file \"", path, "\" cannot be written."),
-                std::nullopt,
-                0,
-                0,
-                "trace_file"};
+  return Status::bad_option("trace", text("The trace file \"", path, "\" cannot be written."));
 }
 
 Timeline::Timeline(const std::string& path) : out_(path, std::ios::trunc) {}

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "broadphase/input_checks.h"
 #include "base/text.h"
+#include "geometry/canonical.h"
 
 namespace cellsweep {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "cellsweep/aabb.h"
 
-namespace cellsweep::stream {
+namespace cellsweep {
 
 using Float4 [[gnu::vector_size(16)]] = float;
 using Int4 [[gnu::vector_size(16)]] = std::int32_t;
@@ -67,4 +67,4 @@ inline Int4 clean_lanes(const BoxLanes& box) {
   return clean_lanes(box.min) & clean_lanes(box.max) & (box.min <= box.max);
 }
 
-}  // namespace cellsweep::stream
+}  // namespace cellsweep

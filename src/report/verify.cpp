@@ -4,8 +4,8 @@
 #include <iterator>
 #include <numeric>
 
-#include "broadphase/brute_force.h"
 #include "base/text.h"
+#include "engines/oracle/brute_force.h"
 #include "report/progress.h"
 #include "report/run_engine.h"
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "broadphase/brute_force.h"
 #include "cellsweep/world/scene.h"
 #include "contract/box_kinds.h"
+#include "engines/oracle/brute_force.h"
 
 namespace cellsweep::bench {
 namespace {

@@ -1,6 +1,6 @@
 /// @file
 /// What is made canonical, what is refused, and in which words.
-#include "broadphase/input_checks.h"
+#include "geometry/canonical.h"
 
 #include <gmock/gmock.h>
 

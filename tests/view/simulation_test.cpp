@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "broadphase/brute_force.h"
+#include "engines/oracle/brute_force.h"
 #include "view/drawn_boxes.h"
 
 namespace cellsweep::view {

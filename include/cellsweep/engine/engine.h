@@ -86,18 +86,24 @@ class CELLSWEEP_API Engine {
   /// Always the same.
   virtual Capacity capacity() const = 0;
 
-  /// Finds the pairs as they are with these changes. Fills `statistics`, but for its number of updates.
+  /// Finds the pairs as they are with these changes. Fills the phases and counters of `statistics` and adds
+  /// to its bytes.
   virtual Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) = 0;
 };
 
 /// Makes an engine, again after one has failed. Errors become those of make_broadphase() and update().
 using EngineMaker = std::function<Result<std::unique_ptr<Engine>>()>;
 
+struct HandleParts;
+
 /// How a Broadphase gets its engine, and how an engine's own functions get at it again.
 struct CELLSWEEP_API EngineAccess {
   /// `name` is a literal. A `trace` file that is not empty gets a row `row_name` of its calls and phases.
   static Result<Broadphase> make(std::string_view name, EngineMaker maker, const std::string& trace = {},
                                  std::string row_name = {});
+
+  /// The same for engines of this library, which share threads with their Broadphase.
+  static Result<Broadphase> make(HandleParts parts);
 
   static Engine& engine_of(Broadphase& broadphase);
   static const Engine& engine_of(const Broadphase& broadphase);

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cellsweep/broadphase.h"
 #include "cellsweep/engine/timeline.h"
+#include "cellsweep/statistics.h"
 
 namespace cellsweep {
 
@@ -18,11 +18,11 @@ class PhaseTimer {
   explicit PhaseTimer(std::vector<Phase>& phases) : phases_(phases) { phases_.clear(); }
 
   /// Everything since the last call, or since construction, was the step of this name.
-  void lap(std::string_view name, bool setup = false) {
+  void lap(std::string_view name, PhaseKind kind = PhaseKind::work) {
     const Clock::time_point now = Clock::now();
     if (const TimelineRow* row = TimelineRow::current())
       row->timeline->add(row->number, std::string(name), last_, now);
-    phases_.push_back({name, std::chrono::duration<double, std::milli>(now - last_).count(), setup});
+    phases_.push_back({name, std::chrono::duration<double, std::milli>(now - last_).count(), kind});
     last_ = now;
   }
 

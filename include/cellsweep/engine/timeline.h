@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cellsweep/export.h"
 #include "cellsweep/status.h"
 
 namespace cellsweep {
@@ -17,7 +18,7 @@ namespace cellsweep {
 using TimelineTime = std::chrono::steady_clock::time_point;
 
 /// The timeline of one file, written when the last engine that named the file goes. Any thread.
-class Timeline {
+class CELLSWEEP_API Timeline {
  public:
   /// Writes the SPEs' rows: events of Chrome's trace format, a comma behind each; times from `origin`.
   using SpeRows = void (*)(std::ostream& out, TimelineTime origin);
@@ -59,7 +60,7 @@ class Timeline {
 };
 
 /// Where the calling thread's spans go while it works for a traced engine; null otherwise.
-struct TimelineRow {
+struct CELLSWEEP_API TimelineRow {
   Timeline* timeline = nullptr;
   unsigned number = 0;
 
@@ -67,7 +68,7 @@ struct TimelineRow {
 };
 
 /// Gives the calling thread a row for its life; scopes nest.
-class TimelineScope {
+class CELLSWEEP_API TimelineScope {
  public:
   explicit TimelineScope(const TimelineRow& row);
   ~TimelineScope();
@@ -79,7 +80,7 @@ class TimelineScope {
 };
 
 /// Its life is a span of the calling thread's row, if it has one.
-class TimelineSpan {
+class CELLSWEEP_API TimelineSpan {
  public:
   explicit TimelineSpan(const char* name);
   ~TimelineSpan();

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cellsweep::stream {
+namespace cellsweep {
 namespace {
 
 constexpr std::size_t kAlignment = 64;
@@ -60,4 +60,4 @@ void Arena::reset(std::size_t most) {
   used_ = 0;
 }
 
-}  // namespace cellsweep::stream
+}  // namespace cellsweep

@@ -8,7 +8,7 @@
 
 #include "base/memory/memory.h"
 
-namespace cellsweep::stream {
+namespace cellsweep {
 
 /// Hands out blocks of uninitialised memory for trivial types, 64-byte aligned. One thread at a time.
 class Arena {
@@ -65,4 +65,4 @@ class ArenaScope {
   Arena::Mark mark_;
 };
 
-}  // namespace cellsweep::stream
+}  // namespace cellsweep

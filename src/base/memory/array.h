@@ -7,7 +7,7 @@
 
 #include "base/memory/memory.h"
 
-namespace cellsweep::stream {
+namespace cellsweep {
 
 template <class T>
 class Array {
@@ -49,4 +49,4 @@ void make_room(Container& container, std::size_t size) {
   container.reserve(size > more ? size : more);
 }
 
-}  // namespace cellsweep::stream
+}  // namespace cellsweep

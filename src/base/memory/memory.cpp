@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace cellsweep::stream {
+namespace cellsweep {
 namespace {
 
 constexpr std::size_t kAlignment = 64;
@@ -61,4 +61,4 @@ void let_memory_fail(std::uint64_t n) {
   fails_in = n;
 }
 
-}  // namespace cellsweep::stream
+}  // namespace cellsweep

@@ -1,5 +1,5 @@
 /// @file
-/// Where engine `stream` gets its memory from.
+/// Where large arrays get their memory from.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <new>
 #include <vector>
 
-namespace cellsweep::stream {
+namespace cellsweep {
 
 /// Uninitialised memory, 64-byte aligned; a block of some megabytes asks for huge pages: a page fault costs
 /// as much as some hundred bodies. Throws std::bad_alloc. Safe to call from any thread.
@@ -52,4 +52,4 @@ struct Allocator {
 template <class T>
 using Vector = std::vector<T, Allocator<T>>;
 
-}  // namespace cellsweep::stream
+}  // namespace cellsweep

@@ -4,62 +4,125 @@
 #include <functional>
 #include <utility>
 
-namespace cellsweep::stream {
+namespace cellsweep {
 namespace {
 
 /// A direct table may have this many entries for each body.
 constexpr std::size_t kDirectEntries = 4;
 constexpr std::size_t kSmallTable = 1024;
+/// Entries of the sparse table are asked for so many ids ahead.
+constexpr std::size_t kAhead = 16;
 
 }  // namespace
 
-void IdTable::reserve_for(std::span<const BodyId> ids) {
-  if (ids.empty()) return;
-  const std::size_t bodies = size_ + ids.size();
-  const std::size_t entries = std::size_t{*std::max_element(ids.begin(), ids.end())} + 1;
-  if (entries > direct_.size() && entries <= kDirectEntries * bodies + kSmallTable) {
-    make_room(direct_, entries);
-    direct_.resize(entries, kNone);
+// As far as most of the ids reach.
+void IdTable::grow_direct(std::span<const BodyId> ids) {
+  const std::size_t most = kDirectEntries * (size_ + ids.size()) + kSmallTable;
+  std::size_t count = 0;
+  BodyId largest = 0;
+  for (const BodyId id : ids) {
+    const bool fits = id < most;
+    count += fits ? 1 : 0;
+    largest = fits && id > largest ? id : largest;
   }
+  const std::size_t entries = std::size_t{largest} + 1;
+  if (2 * count < ids.size() || entries <= direct_.size()) return;
+  make_room(direct_, entries);
+  direct_.resize(entries, kNoSlot);
+}
+
+void IdTable::reserve_for(std::span<const BodyId> ids) {
+  grow_direct(ids);
   make_room(ids_, ids_.size() + ids.size());
+  make_room(free_, free_.size() + ids.size());  // for take_back()
   const auto is_sparse_id = [&](BodyId id) { return id >= direct_.size(); };
   const auto sparse = static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), is_sparse_id));
   if (sparse > 0) sparse_.reserve(sparse_.size() + sparse);
 }
 
-void IdTable::set_slot(BodyId id, std::uint32_t slot) {
-  if (id < direct_.size()) {
-    direct_[id] = slot;
+// False when the id is there.
+bool IdTable::map(BodyId id, Slot slot) {
+  if (id >= direct_.size()) return sparse_.insert(id, slot);
+  if (direct_[id] != kNoSlot || sparse_.find(id) != kNoSlot) return false;
+  direct_[id] = slot;
+  return true;
+}
+
+void IdTable::unmap(BodyId id) {
+  if (id < direct_.size() && direct_[id] != kNoSlot) {
+    direct_[id] = kNoSlot;
   } else {
-    sparse_.insert(id, slot);
+    sparse_.erase(id);
   }
 }
 
-std::uint32_t IdTable::insert(BodyId id) {
-  auto slot = static_cast<std::uint32_t>(ids_.size());
+void IdTable::take_slot(BodyId id) {
+  const Slot slot = next_slot();
+  identical_ = identical_ && slot == id;
   if (free_.empty()) {
+    ascending_ = ascending_ && (ids_.empty() || ids_.back() < id);
     ids_.push_back(id);
   } else {
-    slot = free_.back();
     free_.pop_back();
     ids_[slot] = id;
+    ascending_ =
+        ascending_ && (slot == 0 || ids_[slot - 1] < id) && (slot + 1 == ids_.size() || id < ids_[slot + 1]);
   }
-  identical_ = identical_ && slot == id;
-  set_slot(id, slot);
   ++size_;
-  return slot;
 }
 
-void IdTable::append(std::span<const BodyId> ids) {
-  auto slot = static_cast<std::uint32_t>(ids_.size());
-  ids_.insert(ids_.end(), ids.begin(), ids.end());
-  bool identical = identical_;
-  for (const BodyId id : ids) {
-    identical &= slot == id;
-    set_slot(id, slot++);
+bool IdTable::insert(std::span<const BodyId> ids, Vector<Slot>& slots) {
+  reserve_for(ids);
+  make_room(slots, slots.size() + ids.size());
+  const std::size_t before = slots.size();
+  const auto first_new = static_cast<Slot>(ids_.size());
+  const bool was_identical = identical_;
+  const bool was_ascending = ascending_;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
+    const Slot slot = next_slot();
+    if (!map(ids[i], slot)) {
+      take_back(std::span(slots).subspan(before), first_new);
+      slots.resize(before);
+      identical_ = was_identical;
+      // Free slots have other ids than before.
+      ascending_ = was_ascending && free_.empty();
+      return false;
+    }
+    take_slot(ids[i]);
+    slots.push_back(slot);
   }
-  identical_ = identical;
-  size_ += ids.size();
+  ++version_;
+  return true;
+}
+
+// The last ones that were given out; from `first_new` on there was no slot before.
+void IdTable::take_back(std::span<const Slot> slots, Slot first_new) {
+  for (std::size_t i = slots.size(); i-- > 0;) {
+    unmap(ids_[slots[i]]);
+    if (slots[i] >= first_new) {
+      ids_.pop_back();
+    } else {
+      free_.push_back(slots[i]);
+    }
+    --size_;
+  }
+}
+
+void IdTable::choose_ids(std::span<BodyId> ids) const {
+  Vector<BodyId> waiting;
+  waiting.reserve(removed_.size());
+  for (const Slot slot : removed_) waiting.push_back(ids_[slot]);
+  std::sort(waiting.begin(), waiting.end());
+  const auto is_taken = [&](BodyId id) {
+    return find(id) != kNoSlot || std::binary_search(waiting.begin(), waiting.end(), id);
+  };
+  auto beyond = static_cast<BodyId>(ids_.size() + ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    ids[i] =
+        i < free_.size() ? free_[free_.size() - 1 - i] : static_cast<BodyId>(ids_.size() + i - free_.size());
+    while (is_taken(ids[i])) ids[i] = beyond++;
+  }
 }
 
 void IdTable::reserve_removals(std::size_t count) {
@@ -67,24 +130,19 @@ void IdTable::reserve_removals(std::size_t count) {
   make_room(free_, free_.size() + removed_.size() + count);
 }
 
-std::uint32_t IdTable::remove(BodyId id) {
-  std::uint32_t slot = kNone;
-  if (id < direct_.size() && direct_[id] != kNone) {
-    slot = direct_[id];
-    direct_[id] = kNone;
-  } else {
-    slot = sparse_.find(id);
-    sparse_.erase(id);
-  }
+void IdTable::remove(Slot slot) {
+  unmap(ids_[slot]);
   removed_.push_back(slot);
   --size_;
-  return slot;
+  ++version_;
 }
 
 void IdTable::release() {
   if (removed_.empty()) return;
   if (size_ == 0) {
+    const std::uint64_t version = version_;
     *this = IdTable();
+    version_ = version + 1;
     return;
   }
   // The lowest slots are given out first: they make ids and slots alike where that is possible.
@@ -93,20 +151,21 @@ void IdTable::release() {
   removed_.clear();
 }
 
-Vector<std::uint32_t> IdTable::renumber() {
-  Vector<std::uint32_t> before;
+IdTable IdTable::renumbered(Vector<Slot>& before) const {
+  before.clear();
   before.reserve(size_);
-  for (std::uint32_t slot = 0; slot < ids_.size(); ++slot) {
-    if (find(ids_[slot]) == slot) before.push_back(slot);
+  Vector<BodyId> ids;
+  ids.reserve(size_);
+  for (Slot slot = 0; slot < ids_.size(); ++slot) {
+    if (find(ids_[slot]) != slot) continue;
+    before.push_back(slot);
+    ids.push_back(ids_[slot]);
   }
   IdTable fresh;
-  Vector<BodyId> ids;
-  ids.reserve(before.size());
-  for (const std::uint32_t slot : before) ids.push_back(ids_[slot]);
-  fresh.reserve_for(ids);
-  for (const BodyId id : ids) fresh.insert(id);
-  *this = std::move(fresh);
-  return before;
+  Vector<Slot> slots;
+  fresh.insert(ids, slots);
+  fresh.version_ = version_ + 1;
+  return fresh;
 }
 
 std::size_t IdTable::bytes() const {
@@ -114,4 +173,4 @@ std::size_t IdTable::bytes() const {
          sparse_.bytes();
 }
 
-}  // namespace cellsweep::stream
+}  // namespace cellsweep

@@ -1,52 +1,51 @@
 /// @file
-/// The bodies of engine `stream`: a slot for each id, found by one load where ids are dense.
+/// The bodies of a broadphase: a slot for each id, found by one load where ids are dense.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
-#include <vector>
 
-#include "cellsweep/pair.h"
-#include "broadphase/bodies/sparse_ids.h"
 #include "base/memory/array.h"
+#include "broadphase/bodies/sparse_ids.h"
+#include "cellsweep/engine/engine.h"
+#include "cellsweep/pair.h"
 
-namespace cellsweep::stream {
+namespace cellsweep {
 
-/// Maps ids, any 32-bit numbers, to slots 0 … slot_count() − 1 and back. The slot of a removed body keeps its
-/// id until release(), so that the pairs which end with it can still be named.
+/// Maps ids, any 32-bit numbers, to slots 0 ... slot_count() - 1 and back. The slot of a removed body keeps
+/// its id until release(), so that the pairs which end with it can still be named.
 class IdTable {
  public:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
   /// Bodies held.
   std::size_t size() const { return size_; }
   /// Slots in use, freed or waiting for release().
   std::size_t slot_count() const { return ids_.size(); }
 
-  /// The slot of a body, or kNone.
-  std::uint32_t find(BodyId id) const {
-    if (id < direct_.size() && direct_[id] != kNone) return direct_[id];
+  /// The slot of a body, or kNoSlot.
+  Slot find(BodyId id) const {
+    if (id < direct_.size() && direct_[id] != kNoSlot) return direct_[id];
     return sparse_.find(id);
   }
 
-  /// Makes room for these bodies, none of which is held: inserting them takes no memory.
-  void reserve_for(std::span<const BodyId> ids);
+  /// Has the memory ready in which find() will look.
+  void prefetch(BodyId id) const {
+    if (id >= direct_.size()) sparse_.prefetch(id);
+  }
 
-  /// The slot of a new body.
-  std::uint32_t insert(BodyId id);
+  /// Adds bodies and appends the slots that they get. False, and nothing has changed, when one is held or
+  /// listed twice. Throws std::bad_alloc before anything has changed.
+  bool insert(std::span<const BodyId> ids, Vector<Slot>& slots);
 
-  /// True when new bodies get the slots from slot_count() on, in order.
-  bool appends() const { return free_.empty(); }
-  /// New bodies for which there is room, when appends().
-  void append(std::span<const BodyId> ids);
+  /// Ids that nobody has, for so many more bodies: those of the slots that insert() would give out next,
+  /// where nobody has them.
+  void choose_ids(std::span<BodyId> ids) const;
 
   /// Makes room for removing so many: remove() and release() take no memory then.
   void reserve_removals(std::size_t count);
 
-  /// The slot that a held body had.
-  std::uint32_t remove(BodyId id);
+  /// Removes a body that is held, in this slot.
+  void remove(Slot slot);
 
   /// Slots of removed bodies are free from now on. With no body left, all memory is given back.
   void release();
@@ -54,31 +53,44 @@ class IdTable {
   /// True when so many slots are free that slots should be numbered anew.
   bool is_sparse() const { return ids_.size() > 1024 && size_ < ids_.size() / 4; }
 
-  /// Numbers the slots anew, 0 … size() − 1, and returns for each the slot that its body had. Frees what
-  /// waited for release().
-  Vector<std::uint32_t> renumber();
+  /// A table of the same bodies with slots 0 ... size() - 1; `before` becomes for each the slot that it had.
+  /// Nothing may wait for release().
+  IdTable renumbered(Vector<Slot>& before) const;
 
-  BodyId id(std::uint32_t slot) const { return ids_[slot]; }
+  BodyId id(Slot slot) const { return ids_[slot]; }
+  /// By slot; of a free slot the id that it had.
+  const BodyId* ids() const { return ids_.data(); }
 
-  /// Ids by slot; null when each is its own slot.
-  const BodyId* ids() const { return identical_ ? nullptr : ids_.data(); }
-
-  /// True when the ids are 0 … size() − 1, each its own slot.
-  bool is_plain() const { return identical_ && size_ == ids_.size(); }
+  /// True when each id is its own slot.
+  bool is_identical() const { return identical_; }
+  /// True when slots are in the order of their ids.
+  bool is_ascending() const { return ascending_; }
+  /// True when there is a body in every slot.
+  bool is_full() const { return size_ == ids_.size(); }
+  /// Counts what changes about which id belongs to which slot.
+  std::uint64_t version() const { return version_; }
 
   /// Bytes held, nearly.
   std::size_t bytes() const;
 
  private:
-  void set_slot(BodyId id, std::uint32_t slot);
+  void reserve_for(std::span<const BodyId> ids);
+  void grow_direct(std::span<const BodyId> ids);
+  bool map(BodyId id, Slot slot);
+  void unmap(BodyId id);
+  Slot next_slot() const { return free_.empty() ? static_cast<Slot>(ids_.size()) : free_.back(); }
+  void take_slot(BodyId id);
+  void take_back(std::span<const Slot> slots, Slot first_new);
 
   std::size_t size_ = 0;
   bool identical_ = true;
+  bool ascending_ = true;
+  std::uint64_t version_ = 0;
   Vector<BodyId> ids_;
-  std::vector<std::uint32_t, Allocator<std::uint32_t>> direct_;  // slots of ids below its size
-  SparseIds sparse_;                                             // and of the others
-  Vector<std::uint32_t> free_;
-  Vector<std::uint32_t> removed_;
+  Vector<Slot> direct_;   // slots of ids below its size
+  SparseIds sparse_;      // and of the others
+  Vector<Slot> free_;     // the last is given out first
+  Vector<Slot> removed_;  // until release()
 };
 
-}  // namespace cellsweep::stream
+}  // namespace cellsweep

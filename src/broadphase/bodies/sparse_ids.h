@@ -4,22 +4,25 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
-#include "cellsweep/pair.h"
 #include "base/memory/memory.h"
+#include "cellsweep/engine/engine.h"
+#include "cellsweep/pair.h"
 
-namespace cellsweep::stream {
+namespace cellsweep {
 
 /// At most half full, linear probing, nothing left behind by an erase().
 class SparseIds {
  public:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
   std::size_t size() const { return size_; }
 
-  /// The slot of an id, or kNone.
-  std::uint32_t find(BodyId id) const { return size_ == 0 ? kNone : entries_[place_of(id)].slot; }
+  /// The slot of an id, or kNoSlot.
+  Slot find(BodyId id) const { return size_ == 0 ? kNoSlot : entries_[place_of(id)].slot; }
+
+  /// Has the memory ready in which find() will look first.
+  void prefetch(BodyId id) const {
+    if (size_ > 0) __builtin_prefetch(&entries_[home_of(id)]);
+  }
 
   /// Makes room for so many ids in all; insert() up to there takes no memory.
   void reserve(std::size_t ids) {
@@ -29,21 +32,23 @@ class SparseIds {
     Vector<Entry> entries(size);
     entries.swap(entries_);
     for (const Entry& entry : entries) {
-      if (entry.slot != kNone) entries_[place_of(entry.id)] = entry;
+      if (entry.slot != kNoSlot) entries_[place_of(entry.id)] = entry;
     }
   }
 
-  /// An id that is not there.
-  void insert(BodyId id, std::uint32_t slot) {
-    reserve(size_ + 1);
-    entries_[place_of(id)] = {id, slot};
+  /// Adds an id, for which there must be room; false when it is there.
+  bool insert(BodyId id, Slot slot) {
+    Entry& entry = entries_[place_of(id)];
+    if (entry.slot != kNoSlot) return false;
+    entry = {id, slot};
     ++size_;
+    return true;
   }
 
   /// An id that is there. What was pushed out of its place by it moves back.
   void erase(BodyId id) {
     std::size_t hole = place_of(id);
-    for (std::size_t next = after(hole); entries_[next].slot != kNone; next = after(next)) {
+    for (std::size_t next = after(hole); entries_[next].slot != kNoSlot; next = after(next)) {
       const std::size_t from_home = (next - home_of(entries_[next].id)) & (entries_.size() - 1);
       const std::size_t from_hole = (next - hole) & (entries_.size() - 1);
       if (from_home < from_hole) continue;
@@ -59,7 +64,7 @@ class SparseIds {
  private:
   struct Entry {
     BodyId id = 0;
-    std::uint32_t slot = kNone;
+    Slot slot = kNoSlot;
   };
 
   std::size_t home_of(BodyId id) const { return mix64(id) & (entries_.size() - 1); }
@@ -68,7 +73,7 @@ class SparseIds {
   // Where the id is, or the first free place that it could have.
   std::size_t place_of(BodyId id) const {
     std::size_t place = home_of(id);
-    while (entries_[place].slot != kNone && entries_[place].id != id) place = after(place);
+    while (entries_[place].slot != kNoSlot && entries_[place].id != id) place = after(place);
     return place;
   }
 
@@ -76,4 +81,4 @@ class SparseIds {
   std::size_t size_ = 0;
 };
 
-}  // namespace cellsweep::stream
+}  // namespace cellsweep

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include "broadphase/brute_force.h"
 #include "cellsweep/engines.h"
 #include "cellsweep/world/scene.h"
+#include "engines/oracle/brute_force.h"
 #include "report/quantile.h"
 #include "report/run_engine.h"
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <span>
 
-#include "broadphase/brute_force.h"
 #include "cellsweep/engines.h"
+#include "engines/oracle/brute_force.h"
 #include "report/picture/picture.h"
 #include "report/run_engine.h"
 

@@ -8,13 +8,13 @@
 #include <numeric>
 #include <string_view>
 
-#include "broadphase/brute_force.h"
 #include "cellsweep/engines.h"
 #include "cellsweep/local_store.h"
 #include "cellsweep/world/scene.h"
 #include "contract/random.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/ppu/resident.h"
+#include "engines/oracle/brute_force.h"
 #include "report/run_engine.h"
 
 namespace cellsweep {

@@ -7,7 +7,7 @@
 #include <cfloat>
 #include <cmath>
 
-#include "broadphase/brute_force.h"
+#include "engines/oracle/brute_force.h"
 
 namespace cellsweep::embree {
 namespace {

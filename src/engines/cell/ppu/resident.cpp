@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "broadphase/input_checks.h"
 #include "base/text.h"
 #include "cellsweep/engine/phase_timer.h"
+#include "geometry/canonical.h"
 
 namespace cellsweep::cell {
 namespace {

@@ -2,11 +2,11 @@
 /// Where the pairs of cells are found when not by this processor's own vectors.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "cellsweep/broadphase.h"
+#include "cellsweep/statistics.h"
+#include "cellsweep/status.h"
 #include "engines/stream/kernels/kernel.h"
 
 namespace cellsweep::stream {
@@ -22,13 +22,20 @@ class PieceFinder {
   virtual ~PieceFinder() = default;
 
   /// Appends every pair that one of the cells owns, as Kernels::all_pairs does for each. Throws PieceFailure.
-  virtual void find(std::span<const CellBoxes> cells, const BodyId* ids, KeyBuffer& found) = 0;
+  virtual void find(std::span<const CellBoxes> cells, KeyBuffer& found) = 0;
 
   /// Appends what it counts over its whole life.
   virtual void add_counters(std::vector<Counter>& counters) const = 0;
+};
 
-  /// On a Cell's clock, since the call before; nothing when that is not counted.
-  virtual std::optional<CellTime> take_cell_time() = 0;
+/// What an engine with a PieceFinder offers to those who made it.
+class HasFinder {
+ public:
+  /// Null when the kernels find pairs.
+  virtual const PieceFinder* finder() const = 0;
+
+ protected:
+  ~HasFinder() = default;
 };
 
 }  // namespace cellsweep::stream

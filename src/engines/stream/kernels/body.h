@@ -35,13 +35,9 @@ inline bool owns(std::uint32_t tag, std::uint32_t other) {
   return (tag | other) >> kSlotBits == kWholeFlags;
 }
 
-inline std::uint64_t key_of(std::uint32_t tag, std::uint32_t other, const BodyId* ids) {
-  std::uint64_t a = tag & kSlotMask;
-  std::uint64_t b = other & kSlotMask;
-  if (ids != nullptr) {
-    a = ids[a];
-    b = ids[b];
-  }
+inline std::uint64_t key_of(std::uint32_t tag, std::uint32_t other) {
+  const std::uint64_t a = tag & kSlotMask;
+  const std::uint64_t b = other & kSlotMask;
   return a < b ? a << 32 | b : b << 32 | a;
 }
 
@@ -61,19 +57,19 @@ struct Hits {
 constexpr std::uint32_t kStrip = 128;
 
 inline void add_pairs(const Hits* hits, std::size_t count, const TaggedBox* boxes, std::uint32_t first,
-                      const BodyId* ids, KeyBuffer& found) {
+                      KeyBuffer& found) {
   for (std::size_t h = 0; h < count; ++h) {
     const std::uint32_t tag = boxes[hits[h].place].tag;
     for (std::uint32_t lanes = hits[h].lanes; lanes != 0; lanes &= lanes - 1) {
       const std::uint32_t other = boxes[first + static_cast<unsigned>(__builtin_ctz(lanes))].tag;
-      found.keys[found.size] = key_of(tag, other, ids);
+      found.keys[found.size] = key_of(tag, other);
       found.size += owns(tag, other) ? 1 : 0;
     }
   }
 }
 
 template <class Lanes>
-void all_pairs(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found) {
+void all_pairs(const CellBoxes& cell, KeyBuffer& found) {
   // Copies: what is written to `hits` must not look like a change of these.
   const TaggedBox* const boxes = cell.boxes;
   const std::uint32_t end_of_cell = cell.count;
@@ -92,7 +88,7 @@ void all_pairs(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found) {
         count += hits[count].lanes != 0 ? 1 : 0;
       }
       found.need(count * Lanes::kCount);
-      add_pairs(hits, count, boxes, first, ids, found);
+      add_pairs(hits, count, boxes, first, found);
     }
   }
 }
@@ -107,7 +103,7 @@ inline void note_change(bool old, bool now, std::uint64_t key, const KeyChanges&
 
 template <class Lanes>
 void changed_pairs(const CellBoxes& old, const CellBoxes& now, std::span<const std::uint32_t> changed,
-                   const std::uint32_t* rank, const BodyId* ids, const KeyChanges& changes) {
+                   const std::uint32_t* rank, const KeyChanges& changes) {
   for (std::uint32_t first = 0; first < now.count; first += Lanes::kCount) {
     const Block<Lanes> was(old.boxes + first);
     const Block<Lanes> is(now.boxes + first);
@@ -123,7 +119,7 @@ void changed_pairs(const CellBoxes& old, const CellBoxes& now, std::span<const s
         if (rank[other] <= c) continue;
         note_change((before >> lane & 1) != 0 && owns(old_box.tag, old.boxes[other].tag),
                     (after >> lane & 1) != 0 && owns(new_box.tag, now.boxes[other].tag),
-                    key_of(new_box.tag, now.boxes[other].tag, ids), changes);
+                    key_of(new_box.tag, now.boxes[other].tag), changes);
       }
     }
   }

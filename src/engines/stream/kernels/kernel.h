@@ -8,18 +8,16 @@
 #include <span>
 
 #include "cellsweep/aabb.h"
-#include "cellsweep/engines.h"
-#include "cellsweep/pair.h"
+#include "cellsweep/engine/engine.h"
+#include "cellsweep/options.h"
 
 namespace cellsweep::stream {
 
 /// The largest vector of any kernel, in boxes.
 inline constexpr std::uint32_t kMaxLanes = 16;
 
-/// A tag holds a body's slot and, above it, on which axes the body's minimum lies in the cell.
-inline constexpr unsigned kSlotBits = 29;
-inline constexpr std::uint32_t kSlotMask = (1U << kSlotBits) - 1;
-/// All axes.
+/// A tag holds a body's slot and, above kSlotBits, on which axes the body's minimum lies in the cell. All
+/// axes:
 inline constexpr std::uint32_t kWholeFlags = 7;
 
 /// A box in a cell. Boxes come into cells in no order: to write one, a single cache line is fetched.
@@ -79,7 +77,7 @@ struct KeyChanges {
   KeyBuffer& ended;
 };
 
-/// The kernels of one instruction set. Bodies' ids are looked up by slot in `ids`; null when they are equal.
+/// The kernels of one instruction set. Keys are those of slots.
 ///
 /// Of the cells that two overlapping boxes share, one owns the pair: that which holds the lower corner of
 /// what they share. It does when on each axis one of the two minima lies in the cell, which the tags tell.
@@ -92,14 +90,14 @@ struct Kernels {
   void (*eight_blocks)(const Aabb* boxes, std::size_t step, const GridNumbers& grid, EightBlocks& blocks);
 
   /// Appends every overlapping pair that the cell owns.
-  void (*all_pairs)(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found);
+  void (*all_pairs)(const CellBoxes& cell, KeyBuffer& found);
 
   /// Appends the pairs with a changed box that the cell owned before and does not now, and the other way
   /// round. `old` and `now` have the same bodies at the same places, with NaN for one that is not there;
   /// `changed` lists the places that differ, each once; `rank` says for each place where in that list it is,
   /// and a larger number for the others.
   void (*changed_pairs)(const CellBoxes& old, const CellBoxes& now, std::span<const std::uint32_t> changed,
-                        const std::uint32_t* rank, const BodyId* ids, const KeyChanges& changes);
+                        const std::uint32_t* rank, const KeyChanges& changes);
 };
 
 /// The kernels of an instruction set, or of the best one; null when this processor or build does not have it.

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <new>
 
-#include "broadphase/brute_force.h"
+#include "engines/oracle/brute_force.h"
 #include "engines/stream/worlds.h"
 
 namespace cellsweep::stream {

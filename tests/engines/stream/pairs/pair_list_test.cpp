@@ -6,8 +6,8 @@
 #include <deque>
 #include <set>
 
+#include "base/pair_sort.h"
 #include "contract/random.h"
-#include "broadphase/pairs/pair_sort.h"
 
 namespace cellsweep::stream {
 namespace {
