@@ -79,9 +79,11 @@ TEST_P(AddContract, AnIdIsNotUsedAgainBeforeTheEndOfItsPairsWasReported) {
   ASSERT_TRUE(checked_.update());
 }
 
-TEST_P(AddContract, AnIdThatNoUpdateSawIsFreeAtOnce) {
+TEST_P(AddContract, AnIdThatNoUpdateSawIsFreeAfterTheNext) {
   ASSERT_TRUE(checked_.add({cube_at(0), cube_at(0)}, ids_));
   ASSERT_TRUE(checked_.remove({0}));
+  ASSERT_TRUE(checked_.update());
+  EXPECT_THAT(checked_.answer().began, IsEmpty());
   ASSERT_TRUE(checked_.add({cube_at(9)}, ids_));
   EXPECT_THAT(ids_, ElementsAre(0U));
   ASSERT_TRUE(checked_.update());

@@ -47,7 +47,7 @@ std::vector<Pair> Model::brute_force() const {
 
 void Model::remove(BodyId id) {
   boxes.erase(id);
-  if (shown.contains(id)) gone.insert(id);
+  gone.insert(id);
 }
 
 // A body that came back under its id is another one: its pairs end, whether or not they begin again.
@@ -64,7 +64,7 @@ Answer Model::update() {
   return answer;
 }
 
-bool Model::is_taken(BodyId id) const {
+bool Model::is_in_pairs(BodyId id) const {
   return gone.contains(id) &&
          std::ranges::any_of(pairs, [&](const Pair& pair) { return pair.a == id || pair.b == id; });
 }
@@ -228,16 +228,16 @@ AssertionResult CheckedEngine::boxes_are_kept() {
                    << box_text(*given) << " instead of " << box_text(*wanted);
 }
 
-// As small as there are: no larger than the smallest that nobody has or had at the last update.
+// As small as there are: no larger than the smallest that nobody has or had since the last update.
 AssertionResult CheckedEngine::ids_are_right(const std::vector<BodyId>& ids) const {
   std::vector<BodyId> sorted = ids;
   std::ranges::sort(sorted);
   if (std::ranges::adjacent_find(sorted) != sorted.end()) return failure() << "add() gives an id twice";
   BodyId bound = 0;
   for (const BodyId id : sorted) {
-    while (model_.boxes.contains(bound) || model_.shown.contains(bound)) ++bound;
+    while (model_.boxes.contains(bound) || model_.gone.contains(bound)) ++bound;
     if (model_.boxes.contains(id)) return failure() << "add() gives body " << id << ", which is held";
-    if (model_.is_taken(id)) return failure() << "add() gives " << id << " before its pairs have ended";
+    if (model_.is_in_pairs(id)) return failure() << "add() gives " << id << " before its pairs have ended";
     if (id > bound++) return failure() << "add() gives " << id << " where there are smaller ids";
   }
   return AssertionSuccess();

@@ -34,7 +34,7 @@ struct Answer {
 struct Model {
   std::map<BodyId, Aabb> boxes;
   std::map<BodyId, Aabb> shown;
-  std::set<BodyId> gone;  ///< bodies of the last update that were removed since, though the id may be back
+  std::set<BodyId> gone;      ///< removed since the last update, though the id may be back
   std::vector<Pair> pairs;
 
   /// All ids, ascending.
@@ -48,8 +48,8 @@ struct Model {
   /// What an update must answer now. Afterwards it has been.
   Answer update();
 
-  /// Whether a body of the last update, with pairs that have not ended, had this id.
-  bool is_taken(BodyId id) const;
+  /// Whether a body with this id had pairs whose end has not been told.
+  bool is_in_pairs(BodyId id) const;
 };
 
 /// Drives one broadphase. Its calls expect to be accepted, compare the answer with the model, and check that
