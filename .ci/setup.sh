@@ -39,7 +39,7 @@ install_packages() {
     say "  sudo apt-get install ${missing[*]}"
     return 1
   fi
-  say "installing: ${missing[*]}"
+  say "installing ${#missing[@]} packages: ${missing[*]}"
   apt-get update -qq >&2 &&
     DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
 }
@@ -49,16 +49,26 @@ spu_compiler() {
   echo "${SPU_EMU_TOOLCHAIN_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/cellsweep/spu-elf}/complete"
 }
 
-# build_preset PRESET [TARGET...]: configures once, then builds; says nothing when there is nothing to do.
+# say_steps PRESET TARGET...: how much there is to build, unless it is done before it is read.
+say_steps() {
+  local steps
+  steps=$(ninja -C "build/$1" -n "${@:2}" | sed -n '$s/^\[[0-9]*\/\([0-9]*\)\].*/\1/p')
+  if [ "${steps:-0}" -ge 10 ]; then say "building in build/$1: $steps steps on $(nproc) cores"; fi
+}
+
+# build_preset PRESET [TARGET...]: configures once, then builds; says little when there is little to do. Ninja shows how
+# far it is where somebody watches.
 build_preset() {
   local preset=$1
   shift
   # Again when the SPU compiler came later: SPU programs are then built twice.
   if [ ! -f "build/$preset/build.ninja" ] || [ "$(spu_compiler)" -nt "build/$preset/build.ninja" ]; then
+    say "configuring build/$preset"
     cmake --preset "$preset" >&2 || return 1
   fi
   local quiet=(--quiet)
   [ -t 2 ] && quiet=()
   if [ $# -eq 0 ]; then set -- all; fi
+  say_steps "$preset" "$@"
   ninja -C "build/$preset" "${quiet[@]}" "$@" >&2
 }

@@ -1,4 +1,5 @@
-// One MFC command as it is issued, and what its opcode says about it.
+/// @file
+/// One MFC command as it is issued, and what its opcode says about it.
 #ifndef SPU_EMU_MFC_COMMAND_H
 #define SPU_EMU_MFC_COMMAND_H
 
@@ -40,6 +41,14 @@ constexpr bool is_store(std::uint32_t opcode) {
 }
 constexpr bool is_list(std::uint32_t opcode) {
   return (is_put(opcode) || is_get(opcode)) && (opcode & 4U) != 0;
+}
+/// Moves one run of bytes between local store and an address.
+constexpr bool is_simple_transfer(std::uint32_t opcode) {
+  return (is_store(opcode) || is_get(opcode)) && !is_list(opcode);
+}
+/// Stores a line whatever is reserved, in the queue and with a tag.
+constexpr bool is_line_store(std::uint32_t opcode) {
+  return opcode == MFC_PUTQLLUC_CMD;
 }
 /// Has a variant field whose bits 1 and 2 mean barrier and fence.
 constexpr bool has_variant(std::uint32_t opcode) {

@@ -56,6 +56,11 @@ std::string summary_cell(const std::vector<CellRatio>& ratios) {
               kPeerScenes[smallest.cell.scene], ", `", smallest.best, "`)");
 }
 
+std::size_t twice_as_long(const std::vector<CellRatio>& ratios) {
+  return static_cast<std::size_t>(
+      std::count_if(ratios.begin(), ratios.end(), [](const CellRatio& ratio) { return ratio.ratio() >= 2; }));
+}
+
 std::string inexact_lines(const PeerResults& results) {
   std::map<std::string, std::pair<double, std::size_t>> wrong;
   for (const auto& [cell, times] : results.cells) {
@@ -94,12 +99,19 @@ std::string summary_markdown(const PeerResults& results) {
     table += "\n";
   }
   if (const auto summary = summarise(all)) {
-    std::size_t twice = 0;
-    for (const CellRatio& ratio : all) twice += ratio.ratio() >= 2 ? 1 : 0;
     table += text("\nGeometric mean of all ", all.size(), " cells: ", short_number(summary->mean), "; ",
-                  twice, " of them are 2 or more.\n");
+                  twice_as_long(all), " of them are 2 or more.\n");
   }
   return table + inexact_lines(results);
+}
+
+std::string headline_markdown(const PeerResults& results) {
+  const std::vector<CellRatio> all = ratios_of(results);
+  const auto summary = summarise(all);
+  if (!summary) return "";
+  return text("In ", all.size(), " measured cases the fastest of the others took ",
+              short_number(summary->mean), " times as long as `stream` (geometric mean);\nin ",
+              twice_as_long(all), " of them it took at least twice as long.\n");
 }
 
 std::string cells_markdown(const PeerResults& results) {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -12,39 +11,11 @@
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/broadphase.h"
+#include "cellsweep/engine/slots.h"
 #include "cellsweep/export.h"
 #include "cellsweep/status.h"
 
 namespace cellsweep {
-
-/// A body's place: a small number that Broadphase gives it for as long as it is there.
-using Slot = std::uint32_t;
-inline constexpr Slot kNoSlot = std::numeric_limits<Slot>::max();
-
-/// The bits of a slot: there are never more of them.
-inline constexpr unsigned kSlotBits = 29;
-inline constexpr Slot kSlotMask = (1U << kSlotBits) - 1;
-
-/// The box in a slot without a body: NaN, so that it overlaps nothing.
-inline constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
-inline constexpr Aabb kNobody = {{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, kNowhere}};
-
-/// Two slots, `a < b`.
-struct SlotPair {
-  Slot a = 0;
-  Slot b = 0;
-
-  friend auto operator<=>(const SlotPair&, const SlotPair&) = default;
-};
-
-constexpr SlotPair make_slot_pair(Slot one, Slot other) {
-  return one < other ? SlotPair{one, other} : SlotPair{other, one};
-}
-
-/// `(a << 32) | b`.
-constexpr std::uint64_t pair_key(SlotPair pair) {
-  return (std::uint64_t{pair.a} << 32) | pair.b;
-}
 
 /// A body that had another box, or was there, at the last update.
 struct ChangedBody {

@@ -109,7 +109,7 @@ void StreamSpes::take_results(const BodyId* ids, stream::KeyBuffer& found) {
     const StreamResult& result = results_[next++];
     share.done += result.pieces_done;
     share.rows_done = result.rows_done;
-    found.need(result.pairs);
+    stream::make_room(found, result.pairs);
     for (std::size_t i = 0; i < std::size_t{2} * result.pairs; i += 2) {
       if (share.pairs[i] == kNoSlot) continue;
       found.keys[found.size++] = key_of(share.pairs[i], share.pairs[i + 1], ids);

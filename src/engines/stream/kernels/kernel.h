@@ -5,10 +5,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "cellsweep/aabb.h"
-#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/slots.h"
 #include "cellsweep/options.h"
 
 namespace cellsweep::stream {
@@ -64,17 +63,28 @@ struct KeyBuffer {
   std::size_t capacity = 0;
   std::size_t most = ~std::size_t{0};  // larger than this, it does not grow: TooManyPairs
   void (*grow)(KeyBuffer& buffer, std::size_t more) = nullptr;
-
-  /// Makes room for `more` keys behind the end.
-  void need(std::size_t more) {
-    if (capacity - size < more) grow(*this, more);
-  }
 };
+
+// Internal, because kernels call it: body.h says why.
+namespace {
+
+/// Makes room for `more` keys behind the end.
+inline void make_room(KeyBuffer& buffer, std::size_t more) {
+  if (buffer.capacity - buffer.size < more) buffer.grow(buffer, more);
+}
+
+}  // namespace
 
 /// Where to tell what a change of a cell did to pairs.
 struct KeyChanges {
   KeyBuffer& began;
   KeyBuffer& ended;
+};
+
+/// Some of the places of a cell.
+struct Places {
+  const std::uint32_t* places;
+  std::size_t count;
 };
 
 /// The kernels of one instruction set. Keys are those of slots.
@@ -96,8 +106,8 @@ struct Kernels {
   /// round. `old` and `now` have the same bodies at the same places, with NaN for one that is not there;
   /// `changed` lists the places that differ, each once; `rank` says for each place where in that list it is,
   /// and a larger number for the others.
-  void (*changed_pairs)(const CellBoxes& old, const CellBoxes& now, std::span<const std::uint32_t> changed,
-                        const std::uint32_t* rank, const KeyChanges& changes);
+  void (*changed_pairs)(const CellBoxes& old, const CellBoxes& now, Places changed, const std::uint32_t* rank,
+                        const KeyChanges& changes);
 };
 
 /// The kernels of an instruction set, or of the best one; null when this processor or build does not have it.

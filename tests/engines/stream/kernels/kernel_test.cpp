@@ -130,7 +130,7 @@ TEST_P(KernelOf, FindsWhichPairsBeganAndEnded) {
     }
     Keys began_keys;
     Keys ended_keys;
-    kernels_->changed_pairs(old.boxes(), now.boxes(), changed, rank.data(), nullptr,
+    kernels_->changed_pairs(old.boxes(), now.boxes(), {changed.data(), changed.size()}, rank.data(), nullptr,
                             {began_keys.buffer(), ended_keys.buffer()});
     ASSERT_EQ(sorted(began_keys), began) << count << " boxes";
     ASSERT_EQ(sorted(ended_keys), ended) << count << " boxes";

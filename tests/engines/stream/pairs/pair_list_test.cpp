@@ -24,7 +24,7 @@ class Parts {
   }
   void add(std::size_t part, Pair pair) {
     KeyBuffer& buffer = keys_[part % keys_.size()].buffer();
-    buffer.need(1);
+    make_room(buffer, 1);
     buffer.keys[buffer.size++] = pair_key(pair);
   }
   std::span<Keys* const> view() const { return pointers_; }
