@@ -27,18 +27,27 @@ class ScatteredLife {
       : checked_(checked), kind_(kind), random_(seed), ids_(scattered_ids(random_, bodies)) {}
 
   void live() {
-    ASSERT_TRUE(insert(ids_) && checked_.update());
+    ASSERT_TRUE(insert(ids_));
     for (int round = 0; round < effort(3, 2, 1); ++round) {
-      ASSERT_TRUE(move(part()) && checked_.update());
+      ASSERT_TRUE(checked_.update());
+      ASSERT_TRUE(move(part()));
+      ASSERT_TRUE(checked_.update());
       const std::vector<BodyId> gone = part();
-      ASSERT_TRUE(checked_.remove(gone) && move(checked_.model().ids()) && checked_.update());
-      ASSERT_TRUE(insert(gone) && checked_.update());
+      ASSERT_TRUE(checked_.remove(gone));
+      ASSERT_TRUE(move(checked_.model().ids()));
+      ASSERT_TRUE(checked_.update());
+      ASSERT_TRUE(insert(gone));
+      ASSERT_TRUE(checked_.update());
       // The same ids are other bodies now.
       const std::vector<BodyId> replaced = part();
-      ASSERT_TRUE(checked_.remove(replaced) && insert(shuffled(replaced)) && checked_.update());
+      ASSERT_TRUE(checked_.remove(replaced));
+      ASSERT_TRUE(insert(shuffled(replaced)));
     }
-    ASSERT_TRUE(checked_.remove(shuffled(ids_)) && checked_.update());
-    ASSERT_TRUE(insert(shuffled(ids_)) && checked_.update());
+    ASSERT_TRUE(checked_.update());
+    ASSERT_TRUE(checked_.remove(shuffled(ids_)));
+    ASSERT_TRUE(checked_.update());
+    ASSERT_TRUE(insert(shuffled(ids_)));
+    ASSERT_TRUE(checked_.update());
   }
 
  private:

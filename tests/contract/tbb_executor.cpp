@@ -1,3 +1,4 @@
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -14,6 +15,8 @@ class TbbExecutor : public Executor {
   }
 
  private:
+  // TBB says so on the terminal when there are fewer cores.
+  tbb::global_control threads_{tbb::global_control::max_allowed_parallelism, kConcurrency};
   tbb::task_arena arena_{static_cast<int>(kConcurrency)};
 };
 
