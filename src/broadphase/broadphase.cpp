@@ -94,6 +94,7 @@ class Broadphase::Impl {
   Bodies bodies_;
   PairOrder order_;
   PairSet pairs_;
+  std::size_t bytes_ = 0;  // of bodies and pairs
   Statistics statistics_;
 };
 
@@ -107,14 +108,20 @@ Result<PairChanges> Broadphase::Impl::update_now() {
   statistics_.bytes = 0;
   const auto found = engine_->update(anew ? bodies_.all_as_new() : attempt.changes(), statistics_);
   if (!found) return found.status();
+  ++statistics_.updates;
+  if (!anew && attempt.changes().none() && found->none()) {
+    attempt.succeed();
+    statistics_.bytes += bytes_;
+    return pairs_.commit_nothing();
+  }
   name_changes(*found);
   if (anew || found->is_whole_set) pairs_.compare_with_whole_set();
   attempt.succeed();
   engine_is_lost_ = false;
   bodies_.commit();
   const PairChanges changes = pairs_.commit();
-  ++statistics_.updates;
-  statistics_.bytes += bodies_.bytes() + order_.bytes() + pairs_.bytes();
+  bytes_ = bodies_.bytes() + order_.bytes() + pairs_.bytes();
+  statistics_.bytes += bytes_;
   tidy();
   return changes;
 }

@@ -25,6 +25,17 @@ function(cellsweep_library target)
                VERSION ${PROJECT_VERSION}
                SOVERSION ${PROJECT_VERSION_MAJOR}
                EXPORT_NAME ${name})
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL "SHARED_LIBRARY")
+    cellsweep_show_only_the_face(${target})
+  endif()
+endfunction()
+
+# cellsweep_show_only_the_face(TARGET): of a shared library, so that nobody links what is not meant for him.
+function(cellsweep_show_only_the_face target)
+  target_link_options(${target} PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/src/cmake/exports.map
+                      -Wl,--no-undefined)
+  set_target_properties(${target} PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/src/cmake/exports.map)
 endfunction()
 
 # cellsweep_quick_to_compile(TARGET): for targets whose own code is not what anybody waits for, above all tests and

@@ -43,6 +43,8 @@ struct FoundPairs {
   std::span<const std::span<const std::uint64_t>> more_began{};
   /// Everything is in `began` and `more_began`: all pairs that there are now, whatever was before.
   bool is_whole_set = false;
+
+  bool none() const { return began.empty() && ended.empty() && more_began.empty() && !is_whole_set; }
 };
 
 /// An engine behind a Broadphase, which owns the boxes, knows the ids, checks the input and keeps the pairs.

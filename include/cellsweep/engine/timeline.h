@@ -3,12 +3,9 @@
 #pragma once
 
 #include <chrono>
-#include <fstream>
 #include <iosfwd>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <vector>
 
 #include "cellsweep/export.h"
 #include "cellsweep/status.h"
@@ -42,21 +39,9 @@ class CELLSWEEP_API Timeline {
   void add(unsigned row, std::string name, TimelineTime begin, TimelineTime end);
 
  private:
-  struct Span {
-    unsigned row = 0;
-    std::string name;
-    TimelineTime begin;
-    TimelineTime end;
-  };
+  struct Rows;
 
-  void write();
-
-  std::mutex mutex_;
-  std::ofstream out_;
-  TimelineTime origin_ = std::chrono::steady_clock::now();
-  SpeRows spe_rows_ = nullptr;
-  std::vector<std::string> rows_;
-  std::vector<Span> spans_;
+  std::unique_ptr<Rows> rows_;
 };
 
 /// Where the calling thread's spans go while it works for a traced engine; null otherwise.

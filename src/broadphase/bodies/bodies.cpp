@@ -143,19 +143,26 @@ void Bodies::keep_moves(std::size_t first) {
   const bool may_be_unmoved = unmoved_ == Unmoved::kept;
   std::size_t kept = first;
   for (std::size_t i = first; i < moved_.size(); ++i) {
-    const ChangedBody body = moved_[i];
-    BodyState& state = states_[body.slot];
-    if (state == kAtRest) {
-      if (may_be_unmoved && same_bits(BoxLanes(body.before), BoxLanes(boxes_[body.slot]))) continue;
-      moved_[kept++] = body;
-      state = static_cast<BodyState>(kept);
-    } else if (state == kInserted) {
-      boxes_[body.slot] = body.before;
-    } else {
-      moved_[state - 1].before = body.before;
+    const Slot slot = moved_[i].slot;
+    if (states_[slot] != kAtRest) {
+      move_again(moved_[i]);
+      continue;
     }
+    if (may_be_unmoved && same_bits(BoxLanes(moved_[i].before), BoxLanes(boxes_[slot]))) continue;
+    if (kept != i) moved_[kept] = moved_[i];
+    states_[slot] = static_cast<BodyState>(++kept);
   }
   moved_.set_size(kept);
+}
+
+// A body that has moved since the last update, or that none has seen.
+void Bodies::move_again(const ChangedBody& body) {
+  const BodyState state = states_[body.slot];
+  if (state == kInserted) {
+    boxes_[body.slot] = body.before;
+  } else {
+    moved_[state - 1].before = body.before;
+  }
 }
 
 Status Bodies::remove(std::span<const BodyId> ids) {
@@ -171,6 +178,7 @@ Status Bodies::remove(std::span<const BodyId> ids) {
     const BodyState state = std::exchange(states_[slot], kGone);
     if (state == kInserted) {
       boxes_[slot] = kNobody;
+      some_unseen_ = true;
       continue;
     }
     if (state != kAtRest) forget_move(state);
@@ -203,7 +211,8 @@ void Bodies::swap_boxes() {
 }
 
 BodyChanges Bodies::begin_update() {
-  std::erase_if(inserted_, [&](Slot slot) { return states_[slot] == kGone; });
+  if (some_unseen_) std::erase_if(inserted_, [&](Slot slot) { return states_[slot] == kGone; });
+  some_unseen_ = false;
   swap_boxes();
   return {boxes_, removed_.view(), moved_.view(), inserted_, size()};
 }

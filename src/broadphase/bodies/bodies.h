@@ -58,16 +58,18 @@ class Bodies {
   bool checks_ascend(unsigned workers) const;
   void gather_moves(Crew& crew, std::size_t first, std::size_t count);
   void keep_moves(std::size_t first);
+  void move_again(const ChangedBody& body);
   void forget_move(BodyState state);
 
   IdTable table_;
-  Vector<Aabb> boxes_;             // by slot: of the last update; of a new body the one that it begins with
-  Vector<BodyState> states_;       // by slot
-  List<ChangedBody> moved_;        // with the boxes that they get; from begin_update() on, that they had
-  List<ChangedBody> removed_;      // with kNobody; from then on with the boxes that they had
-  Vector<Slot> inserted_;          // those that were removed again are kGone
-  Vector<Slot> slots_;             // of the call, or of all_as_new()
-  std::vector<MoveCheck> checks_;  // by worker
+  Vector<Aabb> boxes_;         // by slot: of the last update; of a new body the one that it begins with
+  Vector<BodyState> states_;   // by slot
+  List<ChangedBody> moved_;    // with the boxes that they get; from begin_update() on, that they had
+  List<ChangedBody> removed_;  // with kNobody; from then on with the boxes that they had
+  Vector<Slot> inserted_;
+  bool some_unseen_ = false;             // some of the inserted were removed again, and are kGone
+  Vector<Slot> slots_;                   // of the call, or of all_as_new()
+  std::vector<MoveCheck> checks_;        // by worker
   Unmoved unmoved_ = Unmoved::left_out;  // what the last call of move() turned out to need
 };
 

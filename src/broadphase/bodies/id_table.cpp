@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 namespace cellsweep {
@@ -41,10 +42,11 @@ void IdTable::reserve_for(std::span<const BodyId> ids) {
 }
 
 // False when the id is there.
-bool IdTable::map(BodyId id, Slot slot) {
+inline bool IdTable::map(BodyId id, Slot slot) {
   if (id >= direct_.size()) return sparse_.insert(id, slot);
-  if (direct_[id] != kNoSlot || sparse_.find(id) != kNoSlot) return false;
-  direct_[id] = slot;
+  Slot& entry = direct_[id];
+  if (entry != kNoSlot || sparse_.find(id) != kNoSlot) return false;
+  entry = slot;
   return true;
 }
 
@@ -74,25 +76,50 @@ void IdTable::take_slot(BodyId id) {
 bool IdTable::insert(std::span<const BodyId> ids, Vector<Slot>& slots) {
   reserve_for(ids);
   make_room(slots, slots.size() + ids.size());
+  if (!(free_.empty() ? append(ids, slots) : insert_singly(ids, slots))) return false;
+  ++version_;
+  return true;
+}
+
+// All of them behind those that there are.
+bool IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
+  const auto first = static_cast<Slot>(ids_.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (sparse_.size() > 0 && i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
+    if (map(ids[i], first + static_cast<Slot>(i))) continue;
+    for (const BodyId id : ids.first(i)) unmap(id);
+    return false;
+  }
+  bool identical = identical_;
+  bool ascending = ascending_ && (first == 0 || ids.empty() || ids_.back() < ids[0]);
+  for (std::size_t i = 0; i < ids.size(); ++i) identical &= ids[i] == first + i;
+  for (std::size_t i = 1; i < ids.size(); ++i) ascending &= ids[i - 1] < ids[i];
+  identical_ = identical;
+  ascending_ = ascending;
+  ids_.insert(ids_.end(), ids.begin(), ids.end());
+  size_ += ids.size();
+  const std::size_t before = slots.size();
+  slots.resize(before + ids.size());
+  std::iota(slots.begin() + static_cast<std::ptrdiff_t>(before), slots.end(), first);
+  return true;
+}
+
+bool IdTable::insert_singly(std::span<const BodyId> ids, Vector<Slot>& slots) {
   const std::size_t before = slots.size();
   const auto first_new = static_cast<Slot>(ids_.size());
   const bool was_identical = identical_;
-  const bool was_ascending = ascending_;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
+  for (const BodyId id : ids) {
     const Slot slot = next_slot();
-    if (!map(ids[i], slot)) {
+    if (!map(id, slot)) {
       take_back(std::span(slots).subspan(before), first_new);
       slots.resize(before);
       identical_ = was_identical;
-      // Free slots have other ids than before.
-      ascending_ = was_ascending && free_.empty();
+      ascending_ = false;  // free slots have other ids than before
       return false;
     }
-    take_slot(ids[i]);
+    take_slot(id);
     slots.push_back(slot);
   }
-  ++version_;
   return true;
 }
 

@@ -76,6 +76,8 @@ class IdTable {
  private:
   void reserve_for(std::span<const BodyId> ids);
   void grow_direct(std::span<const BodyId> ids);
+  bool append(std::span<const BodyId> ids, Vector<Slot>& slots);
+  bool insert_singly(std::span<const BodyId> ids, Vector<Slot>& slots);
   bool map(BodyId id, Slot slot);
   void unmap(BodyId id);
   Slot next_slot() const { return free_.empty() ? static_cast<Slot>(ids_.size()) : free_.back(); }

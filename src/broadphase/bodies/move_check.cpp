@@ -44,6 +44,9 @@ void MoveCheck::check_block(const HeldBodies& held, const BodyId* ids, std::span
   if (!good_) return;
   if (run && unmoved_ == Unmoved::left_out && are_at_rest(held, slots[0], boxes)) return;
   if (are_clean(boxes)) {
+    // Where one body moves, its neighbours in the call mostly do, too: what they have need not be read then,
+    // for a body may be listed that stays.
+    if (!same_bits(BoxLanes(boxes[0]), BoxLanes(held.boxes[slots[0]]))) return list_all(slots.data(), boxes);
     for (std::size_t i = 0; i < count; ++i) note(held, slots[i], boxes[i]);
     return;
   }
@@ -77,6 +80,11 @@ void MoveCheck::note_run(Slot first, std::size_t count) {
   next_ = last_ + 1;
 }
 
+void MoveCheck::list_all(const Slot* slots, std::span<const Aabb> boxes) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) to_[i] = {boxes[i], slots[i]};
+  to_ += boxes.size();
+}
+
 // Whether these bodies are those of consecutive slots.
 bool MoveCheck::is_run(const HeldBodies& held, const BodyId* ids, std::size_t count, Slot first) const {
   if (first > held.table.slot_count() || held.table.slot_count() - first < count) return false;
@@ -91,7 +99,6 @@ Slot MoveCheck::find(const HeldBodies& held, BodyId id) {
     good_ = false;
     return slot;
   }
-  __builtin_prefetch(&held.boxes[slot]);
   __builtin_prefetch(&held.states[slot]);
   return slot;
 }

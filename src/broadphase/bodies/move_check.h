@@ -54,6 +54,7 @@ class MoveCheck {
   void note_run(Slot first, std::size_t count);
   bool is_run(const HeldBodies& held, const BodyId* ids, std::size_t count, Slot first) const;
   Slot find(const HeldBodies& held, BodyId id);
+  void list_all(const Slot* slots, std::span<const Aabb> boxes);
   void note(const HeldBodies& held, Slot slot, const Aabb& box);
 
   bool good_ = true;

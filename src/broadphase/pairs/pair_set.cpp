@@ -109,6 +109,12 @@ PairChanges PairSet::commit() {
   return {std::as_const(began_).view(), std::as_const(ended_).view()};
 }
 
+PairChanges PairSet::commit_nothing() {
+  began_.shrink(0);
+  ended_.shrink(0);
+  return {};
+}
+
 std::span<const Pair> PairSet::pairs() const {
   if (!is_listed_.load(std::memory_order_acquire)) {
     const std::lock_guard lock(mutex_);

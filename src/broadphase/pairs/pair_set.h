@@ -32,6 +32,9 @@ class PairSet {
   /// What was written is what changed last. Cannot fail.
   PairChanges commit();
 
+  /// Nothing changed. Cannot fail.
+  PairChanges commit_nothing();
+
   /// All pairs, ascending. From any number of threads, while nothing else is called.
   std::span<const Pair> pairs() const;
 

@@ -46,8 +46,6 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
   bodies_ = changes.bodies;
   crew_.plan(changes.moved.size(), tuning::kMoveGuess);
   switch (fat_boxes_.take(crew_, changes, most_listed_)) {
-    case FatBoxes::Extent::none:
-      return kIdle;
     case FatBoxes::Extent::inside:
       return kInPlace;
     case FatBoxes::Extent::listed:
@@ -58,22 +56,34 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
 }
 
 Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statistics) {
-  PhaseTimer timer(statistics.phases);
-  Kind kind = take(changes);
-  FoundPairs found;
-  if (kind != kIdle) {
-    timer.lap("fat boxes");
-    try {
-      found = counted(find(changes, kind, timer));
-    } catch (const TooManyPairs&) {
-      return too_many_pairs(parts_.max_pairs);
-    } catch (PieceFailure& failure) {
-      return std::move(failure.status);
-    }
-    plan_ahead();
+  if (changes.none()) {
+    note_idle(statistics);
+    return FoundPairs{};
   }
-  refresh_counters(kind, statistics);
+  PhaseTimer timer(statistics.phases);
+  if (parts_.finder) parts_.finder->begin_update();
+  Kind kind = take(changes);
+  timer.lap("fat boxes");
+  FoundPairs found;
+  try {
+    found = counted(find(changes, kind, timer));
+  } catch (const TooManyPairs&) {
+    return too_many_pairs(parts_.max_pairs);
+  } catch (PieceFailure& failure) {
+    return std::move(failure.status);
+  }
+  plan_ahead();
+  ++updates_[kind];
+  refresh_counters(statistics);
   return found;
+}
+
+void Stream::note_idle(Statistics& statistics) {
+  ++updates_[kIdle];
+  statistics.phases.clear();
+  if (statistics.counters.empty()) return refresh_counters(statistics);
+  statistics.bytes += bytes_;
+  statistics.counters[kIdle].value = updates_[kIdle];
 }
 
 FoundPairs Stream::counted(const FoundPairs& found) {
@@ -230,13 +240,7 @@ void Stream::plan_ahead() {
   most_listed_ = worn_out || parts_.finder ? 0 : static_cast<std::size_t>(most);
 }
 
-void Stream::refresh_counters(Kind kind, Statistics& statistics) {
-  ++updates_[kind];
-  if (kind == kIdle && !statistics.counters.empty()) {
-    statistics.bytes += bytes_;
-    statistics.counters[kIdle].value = updates_[kIdle];
-    return;
-  }
+void Stream::refresh_counters(Statistics& statistics) {
   bytes_ = fat_boxes_.bytes() + cells_.bytes() + candidates_.bytes() + marks_.bytes() + before_.bytes() +
            now_.bytes() + began_.bytes() + ended_.bytes() + fresh_.capacity();
   statistics.bytes += bytes_;

@@ -65,7 +65,8 @@ class Stream final : public Engine, public HasFinder {
   void mark_fresh(const BodyChanges& changes, std::uint8_t mark);
   std::size_t generous_limit() const;
   void plan_ahead();
-  void refresh_counters(Kind kind, Statistics& statistics);
+  void note_idle(Statistics& statistics);
+  void refresh_counters(Statistics& statistics);
 
   StreamParts parts_;
   Crew& crew_;

@@ -11,7 +11,6 @@ namespace cellsweep::stream {
 
 FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::size_t most_listed) {
   changes_.clear();
-  if (changes.none()) return Extent::none;
   ++updates_;
   if (!slack_ && !changes.moved.empty()) make_slack(changes);
   if (slack_) {

@@ -30,13 +30,13 @@ class FatBoxes {
  public:
   /// What an update did to them.
   enum class Extent {
-    none,    ///< nothing changed at all
     inside,  ///< all bodies that moved stayed inside of their fat boxes
     listed,  ///< few changed: changes()
     all      ///< more changed than should be listed
   };
 
-  /// Takes the changes in; up to `most_listed` changes of fat boxes are listed one by one.
+  /// Takes changes in, of which there are some; up to `most_listed` changes of fat boxes are listed one by
+  /// one.
   Extent take(Crew& crew, const BodyChanges& changes, std::size_t most_listed);
 
   /// Each slot once; after Extent::listed. Valid until the next take().

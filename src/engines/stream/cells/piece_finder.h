@@ -21,6 +21,9 @@ class PieceFinder {
  public:
   virtual ~PieceFinder() = default;
 
+  /// What it does from now on belongs to one update, whether or not that needs it.
+  virtual void begin_update() = 0;
+
   /// Appends every pair that one of the cells owns, as Kernels::all_pairs does for each. Throws PieceFailure.
   virtual void find(std::span<const CellBoxes> cells, KeyBuffer& found) = 0;
 

@@ -1,12 +1,13 @@
-#include "broadphase/pose_checks.h"
+#include "engines/cell/ppu/pose_checks.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "base/text.h"
 #include "geometry/canonical.h"
 
-namespace cellsweep {
+namespace cellsweep::cell {
 namespace {
 
 constexpr double kShortest = 0x1p-10;
@@ -45,9 +46,7 @@ std::string describe_fault(const BodyPose& pose) {
   return text("centre and half extents are not finite or reach further than ", kLargestPoseReach);
 }
 
-}  // namespace
-
-BodyPose canonical(const BodyPose& pose) {
+BodyPose canonical_pose(const BodyPose& pose) {
   BodyPose result = pose;
   for (float& x : result.centre) x = canonical(x);
   for (float& x : result.half_extents) x = canonical(x);
@@ -59,13 +58,35 @@ bool is_valid(const BodyPose& pose) {
   return has_good_orientation(pose) && has_good_extents(pose) && is_in_reach(pose);
 }
 
-Status invalid_box_status(BodyId body, const BodyPose& pose) {
-  return {StatusCode::invalid_box,
-          text("The pose of body ", body, " is refused: ", describe_fault(pose), "."),
-          body,
-          0,
-          0,
-          ""};
+/// The faults of the bodies at these places of the call, as many as a status names.
+std::string describe_faults(std::span<const std::size_t> bad, std::span<const BodyId> ids,
+                            std::span<const BodyPose> poses) {
+  std::string words;
+  for (const std::size_t place : bad.first(std::min(bad.size(), Status::kMostBodies))) {
+    if (!words.empty()) words += text("; body ", ids[place], ": ");
+    words += describe_fault(poses[place]);
+  }
+  if (bad.size() > Status::kMostBodies) words += text("; and ", bad.size() - Status::kMostBodies, " more");
+  return words;
 }
 
-}  // namespace cellsweep
+}  // namespace
+
+Result<std::vector<BodyPose>> checked_poses(std::span<const BodyId> ids, std::span<const BodyPose> poses) {
+  std::vector<BodyPose> checked;
+  checked.reserve(poses.size());
+  std::vector<std::size_t> bad;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    checked.push_back(canonical_pose(poses[i]));
+    if (!is_valid(checked.back())) bad.push_back(i);
+  }
+  if (bad.empty()) return checked;
+  std::vector<BodyId> bodies;
+  for (const std::size_t place : bad) bodies.push_back(ids[place]);
+  return Status::bad_bodies(
+      StatusCode::invalid_box,
+      text("The pose of body ", bodies.front(), " is refused: ", describe_faults(bad, ids, checked), "."),
+      bodies);
+}
+
+}  // namespace cellsweep::cell
