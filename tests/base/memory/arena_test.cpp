@@ -1,3 +1,5 @@
+/// @file
+/// Memory that is given out piece by piece and taken back all at once.
 #include "base/memory/arena.h"
 
 #include <gmock/gmock.h>
@@ -6,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace cellsweep::stream {
+namespace cellsweep {
 namespace {
 
 TEST(Arena, HandsOutAlignedBlocksThatDoNotOverlap) {
@@ -63,5 +65,18 @@ TEST(Arena, HasRoomForABlockLargerThanAllBefore) {
   EXPECT_GE(arena.bytes(), 4'000'000U);
 }
 
+TEST(Arena, TakesBackInItsScopeWhatWasHandedOutInIt) {
+  Arena arena;
+  char* first = nullptr;
+  for (int round = 0; round < 3; ++round) {
+    const ArenaScope scope(arena);
+    char* const block = arena.take<char>(200'000);
+    if (round == 0) first = block;
+    EXPECT_EQ(block, first);
+    const ArenaScope inner(arena);
+    arena.take<char>(300'000);
+  }
+}
+
 }  // namespace
-}  // namespace cellsweep::stream
+}  // namespace cellsweep
