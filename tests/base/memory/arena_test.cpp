@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/memory/starved.h"
+
 namespace cellsweep {
 namespace {
 
@@ -76,6 +78,25 @@ TEST(Arena, TakesBackInItsScopeWhatWasHandedOutInIt) {
     const ArenaScope inner(arena);
     arena.take<char>(300'000);
   }
+}
+
+TEST(Arena, GoesOnAfterMemoryFailed) {
+  Arena arena;
+  char* const kept = arena.take<char>(1000);
+  std::fill_n(kept, 1000, 'k');
+  const std::size_t bytes = arena.bytes();
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_TRUE(fails_at(1, [&] { arena.take<char>(500'000); }));
+    EXPECT_EQ(arena.bytes(), bytes);
+  }
+  char* const block = arena.take<char>(500'000);
+  std::fill_n(block, 500'000, 'b');
+  EXPECT_TRUE(std::all_of(kept, kept + 1000, [](char value) { return value == 'k'; }));
+  EXPECT_GE(arena.bytes(), 501'000U);
+  EXPECT_TRUE(fails_at(1, [&] {
+    Arena empty;
+    empty.take<char>(1);
+  }));
 }
 
 }  // namespace
