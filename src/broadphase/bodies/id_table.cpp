@@ -34,7 +34,6 @@ void IdTable::grow_direct(std::span<const BodyId> ids) {
 void IdTable::reserve_for(std::span<const BodyId> ids) {
   grow_direct(ids);
   make_room(ids_, ids_.size() + ids.size());
-  make_room(free_, free_.size() + ids.size());  // for take_back()
   const auto is_sparse_id = [&](BodyId id) { return id >= direct_.size(); };
   const auto sparse = static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), is_sparse_id));
   if (sparse > 0) sparse_.reserve(sparse_.size() + sparse);
@@ -57,7 +56,7 @@ void IdTable::unmap(BodyId id) {
 }
 
 void IdTable::take_slot(BodyId id) {
-  const Slot slot = next_slot();
+  const Slot slot = next_slot(0);
   identical_ = identical_ && slot == id;
   if (free_.empty()) {
     ascending_ = ascending_ && (ids_.empty() || ids_.back() < id);
@@ -74,39 +73,24 @@ void IdTable::take_slot(BodyId id) {
 bool IdTable::insert(std::span<const BodyId> ids, Vector<Slot>& slots) {
   reserve_for(ids);
   make_room(slots, slots.size() + ids.size());
-  const std::size_t before = slots.size();
-  const auto first_new = static_cast<Slot>(ids_.size());
-  const bool was_identical = identical_;
-  const bool was_ascending = ascending_;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
-    const Slot slot = next_slot();
-    if (!map(ids[i], slot)) {
-      take_back(std::span(slots).subspan(before), first_new);
-      slots.resize(before);
-      identical_ = was_identical;
-      // Free slots have other ids than before.
-      ascending_ = was_ascending && free_.empty();
-      return false;
-    }
-    take_slot(ids[i]);
-    slots.push_back(slot);
+  if (!map_all(ids)) return false;
+  for (const BodyId id : ids) {
+    slots.push_back(next_slot(0));
+    take_slot(id);
   }
   ++version_;
   return true;
 }
 
-// The last ones that were given out; from `first_new` on there was no slot before.
-void IdTable::take_back(std::span<const Slot> slots, Slot first_new) {
-  for (std::size_t i = slots.size(); i-- > 0;) {
-    unmap(ids_[slots[i]]);
-    if (slots[i] >= first_new) {
-      ids_.pop_back();
-    } else {
-      free_.push_back(slots[i]);
-    }
-    --size_;
+// Maps all ids to the slots that they will get, or none.
+bool IdTable::map_all(std::span<const BodyId> ids) {
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
+    if (map(ids[i], next_slot(i))) continue;
+    for (const BodyId id : ids.first(i)) unmap(id);
+    return false;
   }
+  return true;
 }
 
 void IdTable::choose_ids(std::span<BodyId> ids) const {
@@ -119,8 +103,7 @@ void IdTable::choose_ids(std::span<BodyId> ids) const {
   };
   auto beyond = static_cast<BodyId>(ids_.size() + ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    ids[i] =
-        i < free_.size() ? free_[free_.size() - 1 - i] : static_cast<BodyId>(ids_.size() + i - free_.size());
+    ids[i] = next_slot(i);
     while (is_taken(ids[i])) ids[i] = beyond++;
   }
 }
