@@ -5,7 +5,7 @@
 
 #include "base/tuning.h"
 #include "broadphase/bodies/bodies.h"
-#include "broadphase/handle.h"
+#include "engines/common/handle_parts.h"
 #include "broadphase/pairs/pair_order.h"
 #include "broadphase/pairs/pair_set.h"
 #include "cellsweep/engine/engine.h"
