@@ -104,4 +104,8 @@ inline constexpr std::uint64_t kCounters = 16384;
 /// bodies.
 inline constexpr std::size_t kBodiesOfChange = 4;
 
+/// Ids that are sorted in one step; more of them would be written to more places than a cache has lines.
+/// EPYC.
+inline constexpr std::size_t kManyIds = 65536;
+
 }  // namespace cellsweep::tuning

@@ -31,9 +31,13 @@ inline auto all_engines() {
   return testing::ValuesIn(contract_engines());
 }
 
-inline auto all_engines_and_kinds() {
+inline auto all_kinds() {
   const auto kinds = box_kinds();
-  return testing::Combine(all_engines(), testing::ValuesIn(kinds.begin(), kinds.end()));
+  return testing::ValuesIn(kinds.begin(), kinds.end());
+}
+
+inline auto all_engines_and_kinds() {
+  return testing::Combine(all_engines(), all_kinds());
 }
 
 }  // namespace cellsweep::contract

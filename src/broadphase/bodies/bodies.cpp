@@ -178,6 +178,7 @@ Status Bodies::remove(std::span<const BodyId> ids) {
     const BodyState state = std::exchange(states_[slot], kGone);
     if (state == kInserted) {
       boxes_[slot] = kNobody;
+      some_unseen_ = true;
       continue;
     }
     if (state != kAtRest) forget_move(state);
@@ -210,7 +211,8 @@ void Bodies::swap_boxes() {
 }
 
 BodyChanges Bodies::begin_update() {
-  std::erase_if(inserted_, [&](Slot slot) { return states_[slot] == kGone; });
+  if (some_unseen_) std::erase_if(inserted_, [&](Slot slot) { return states_[slot] == kGone; });
+  some_unseen_ = false;
   swap_boxes();
   return {boxes_, removed_.view(), moved_.view(), inserted_, size()};
 }

@@ -33,6 +33,9 @@ class Bodies {
   /// Boxes as of the last update.
   Status boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const;
 
+  /// By slot.
+  std::span<const Aabb> all_boxes() const { return boxes_; }
+
   BodyChanges begin_update();
   void undo();
   void commit();
@@ -62,13 +65,14 @@ class Bodies {
   void forget_move(BodyState state);
 
   IdTable table_;
-  Vector<Aabb> boxes_;             // by slot: of the last update; of a new body the one that it begins with
-  Vector<BodyState> states_;       // by slot
-  List<ChangedBody> moved_;        // with the boxes that they get; from begin_update() on, that they had
-  List<ChangedBody> removed_;      // with kNobody; from then on with the boxes that they had
-  Vector<Slot> inserted_;          // those that were removed again are kGone
-  Vector<Slot> slots_;             // of the call, or of all_as_new()
-  std::vector<MoveCheck> checks_;  // by worker
+  Vector<Aabb> boxes_;         // by slot: of the last update; of a new body the one that it begins with
+  Vector<BodyState> states_;   // by slot
+  List<ChangedBody> moved_;    // with the boxes that they get; from begin_update() on, that they had
+  List<ChangedBody> removed_;  // with kNobody; from then on with the boxes that they had
+  Vector<Slot> inserted_;
+  bool some_unseen_ = false;             // some of the inserted were removed again, and are kGone
+  Vector<Slot> slots_;                   // of the call, or of all_as_new()
+  std::vector<MoveCheck> checks_;        // by worker
   Unmoved unmoved_ = Unmoved::left_out;  // what the last call of move() turned out to need
 };
 
