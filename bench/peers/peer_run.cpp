@@ -76,6 +76,14 @@ double PeerRun::update(std::span<const BodyId> moved) {
   return seconds_since(start);
 }
 
+std::vector<Pair> PeerRun::pairs() const {
+  std::vector<Pair> pairs;
+  pairs.reserve(pairs_.size());
+  for (const Pair& pair : pairs_)
+    pairs.push_back(make_pair_of(peer_->body_of(pair.a), peer_->body_of(pair.b)));
+  return pairs;
+}
+
 double PeerRun::next_frame() {
   switch (setting_.mode) {
     case PeerMode::initial:

@@ -1,7 +1,9 @@
+#include "app/checks.h"
 #include "app/commands.h"
 #include "app/engine_flags.h"
 #include "app/output.h"
-#include "cellsweep/local_store.h"
+#include "report/all_engines.h"
+#include "report/engine_settings.h"
 #include "report/table.h"
 
 namespace cellsweep::app {
@@ -33,10 +35,11 @@ struct LocalStore {
   bool json = false;
 
   ExitCode run() const {
+    if (const Status status = engines.check(); !status.ok()) return complain(status);
     bool fits = true;
     auto maps = nlohmann::ordered_json::array();
     for (const std::string& name : engines.names()) {
-      const auto map = local_store_map(name, engines.options(), bodies);
+      const auto map = report::local_store_of(name, report::values_for(name, engines.values()), bodies);
       if (!map) return complain(map.status());
       fits = fits && map->fits();
       if (json) maps.push_back(json_of(*map));
@@ -53,12 +56,16 @@ void add_local_store(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command =
       program.add_subcommand("local-store", "Show what a Cell engine puts into the local store of an SPE");
   auto local_store = std::make_shared<LocalStore>();
-  local_store->engines.add_to(*command, "cell-paper");
-  command->add_option("--bodies", local_store->bodies, "Bodies to lay out")->capture_default_str();
+  local_store->engines.add_to(*command, EngineFlags::Times::not_shown, "cell-paper");
+  command->add_option("--bodies", local_store->bodies, "Bodies to lay out")
+      ->check(count())
+      ->type_name("N")
+      ->capture_default_str();
   command->add_flag("--json", local_store->json, "One JSON object on standard output");
   command->footer(
-      "Exit code 3 when it does not fit.\nExample:\n  cellsweep local-store --engine cell-brute --bodies "
-      "4000");
+      "Exit code 3 when it does not fit.\n"
+      "Example:\n"
+      "  cellsweep local-store --engine cell-brute --bodies 4000");
   command->callback([local_store, &exit_code] { exit_code = local_store->run(); });
 }
 

@@ -244,4 +244,8 @@ const Engine& EngineAccess::engine_of(const Broadphase& broadphase) {
   return broadphase.impl_->engine();
 }
 
+std::span<const Aabb> EngineAccess::boxes_of(const Broadphase& broadphase) {
+  return broadphase.impl_->bodies().all_boxes();
+}
+
 }  // namespace cellsweep

@@ -10,7 +10,7 @@ namespace cellsweep::report {
 namespace {
 
 Status file_status(const std::filesystem::path& path, std::string_view what) {
-  return {StatusCode::bad_input, text(path.string(), ": ", what, "."), std::nullopt, 0, 0, ""};
+  return Status::bad_input(text(path.string(), ": ", what, "."));
 }
 
 }  // namespace

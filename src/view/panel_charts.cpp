@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "report/quantile.h"
+#include "report/units.h"
 #include "view/simulation.h"
 
 namespace cellsweep::view {
@@ -79,13 +80,6 @@ void draw_region_name(std::size_t part, const LocalStorePart& region) {
 
 }  // namespace
 
-std::string milliseconds_text(double milliseconds) {
-  char text[32];
-  const int decimals = milliseconds < 0.1 ? 4 : milliseconds < 1 ? 3 : milliseconds < 100 ? 2 : 0;
-  std::snprintf(text, sizeof text, "%.*f", decimals, milliseconds);
-  return text;
-}
-
 void draw_frame_times(const std::vector<float>& times) {
   constexpr float kHeight = 70;
   const float width = ImGui::GetContentRegionAvail().x;
@@ -107,10 +101,11 @@ void draw_frame_times(const std::vector<float>& times) {
     x += step;
   }
   draw.AddLine({corner.x, floor - kHeight / 2}, {corner.x + width, floor - kHeight / 2}, kLine);
-  draw.AddText({corner.x + 4, corner.y + 2}, kInk, milliseconds_text(static_cast<double>(top)).c_str());
+  draw.AddText({corner.x + 4, corner.y + 2}, kInk, report::duration_text(static_cast<double>(top)).c_str());
   draw.AddText({corner.x + 4, floor - kHeight / 2 + 1}, kInk,
-               milliseconds_text(static_cast<double>(top / 2)).c_str());
-  ImGui::Text("median %s, longest %s", milliseconds_text(median).c_str(), milliseconds_text(longest).c_str());
+               report::duration_text(static_cast<double>(top / 2)).c_str());
+  ImGui::Text("median %s, longest %s", report::duration_text(median).c_str(),
+              report::duration_text(longest).c_str());
 }
 
 void draw_local_stores(const LocalStoreMap& map) {

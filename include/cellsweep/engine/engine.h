@@ -80,6 +80,9 @@ struct CELLSWEEP_API EngineAccess {
 
   static Engine& engine_of(Broadphase& broadphase);
   static const Engine& engine_of(const Broadphase& broadphase);
+
+  /// By slot, as of the last update.
+  static std::span<const Aabb> boxes_of(const Broadphase& broadphase);
 };
 
 }  // namespace cellsweep

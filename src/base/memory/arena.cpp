@@ -26,19 +26,21 @@ void* Arena::take_bytes(std::size_t bytes) {
   return take_from_next_chunk(bytes);
 }
 
+// When memory fails, the current chunk stays the current one.
 void* Arena::take_from_next_chunk(std::size_t bytes) {
-  if (!chunks_.empty()) ++current_;
+  const std::size_t next = chunks_.empty() ? 0 : current_ + 1;
   // A chunk that is too small is replaced: nothing behind the current one is handed out.
-  if (current_ < chunks_.size() && chunks_[current_].size < bytes) {
-    for (std::size_t i = current_; i < chunks_.size(); ++i) bytes_ -= chunks_[i].size;
-    chunks_.resize(current_);
+  if (next < chunks_.size() && chunks_[next].size < bytes) {
+    for (std::size_t i = next; i < chunks_.size(); ++i) bytes_ -= chunks_[i].size;
+    chunks_.resize(next);
   }
-  if (current_ == chunks_.size()) {
+  if (next == chunks_.size()) {
     std::size_t size = std::max(bytes, std::clamp(bytes_, kFirstChunk, kLargestStep));
     size = round_up(size, size >= kHugePage ? kHugePage : kAlignment);
     chunks_.push_back({Memory<std::byte>(take_memory(size)), size});
     bytes_ += size;
   }
+  current_ = next;
   used_ = bytes;
   return chunks_[current_].memory.get();
 }

@@ -33,6 +33,9 @@ class Bodies {
   /// Boxes as of the last update.
   Status boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const;
 
+  /// By slot.
+  std::span<const Aabb> all_boxes() const { return boxes_; }
+
   BodyChanges begin_update();
   void undo();
   void commit();

@@ -35,7 +35,6 @@ void IdTable::grow_direct(std::span<const BodyId> ids) {
 void IdTable::reserve_for(std::span<const BodyId> ids) {
   grow_direct(ids);
   make_room(ids_, ids_.size() + ids.size());
-  make_room(free_, free_.size() + ids.size());  // for take_back()
   const auto is_sparse_id = [&](BodyId id) { return id >= direct_.size(); };
   const auto sparse = static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), is_sparse_id));
   if (sparse > 0) sparse_.reserve(sparse_.size() + sparse);
@@ -59,7 +58,7 @@ void IdTable::unmap(BodyId id) {
 }
 
 void IdTable::take_slot(BodyId id) {
-  const Slot slot = next_slot();
+  const Slot slot = next_slot(0);
   identical_ = identical_ && slot == id;
   if (free_.empty()) {
     ascending_ = ascending_ && (ids_.empty() || ids_.back() < id);
@@ -76,20 +75,22 @@ void IdTable::take_slot(BodyId id) {
 bool IdTable::insert(std::span<const BodyId> ids, Vector<Slot>& slots) {
   reserve_for(ids);
   make_room(slots, slots.size() + ids.size());
-  if (!(free_.empty() ? append(ids, slots) : insert_singly(ids, slots))) return false;
+  if (!map_all(ids)) return false;
   ++version_;
+  if (free_.empty()) {
+    append(ids, slots);
+    return true;
+  }
+  for (const BodyId id : ids) {
+    slots.push_back(next_slot(0));
+    take_slot(id);
+  }
   return true;
 }
 
 // All of them behind those that there are.
-bool IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
+void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
   const auto first = static_cast<Slot>(ids_.size());
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (sparse_.size() > 0 && i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
-    if (map(ids[i], first + static_cast<Slot>(i))) continue;
-    for (const BodyId id : ids.first(i)) unmap(id);
-    return false;
-  }
   bool identical = identical_;
   bool ascending = ascending_ && (first == 0 || ids.empty() || ids_.back() < ids[0]);
   for (std::size_t i = 0; i < ids.size(); ++i) identical &= ids[i] == first + i;
@@ -101,39 +102,17 @@ bool IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
   const std::size_t before = slots.size();
   slots.resize(before + ids.size());
   std::iota(slots.begin() + static_cast<std::ptrdiff_t>(before), slots.end(), first);
-  return true;
 }
 
-bool IdTable::insert_singly(std::span<const BodyId> ids, Vector<Slot>& slots) {
-  const std::size_t before = slots.size();
-  const auto first_new = static_cast<Slot>(ids_.size());
-  const bool was_identical = identical_;
-  for (const BodyId id : ids) {
-    const Slot slot = next_slot();
-    if (!map(id, slot)) {
-      take_back(std::span(slots).subspan(before), first_new);
-      slots.resize(before);
-      identical_ = was_identical;
-      ascending_ = false;  // free slots have other ids than before
-      return false;
-    }
-    take_slot(id);
-    slots.push_back(slot);
+// Maps all ids to the slots that they will get, or none.
+bool IdTable::map_all(std::span<const BodyId> ids) {
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (sparse_.size() > 0 && i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
+    if (map(ids[i], next_slot(i))) continue;
+    for (const BodyId id : ids.first(i)) unmap(id);
+    return false;
   }
   return true;
-}
-
-// The last ones that were given out; from `first_new` on there was no slot before.
-void IdTable::take_back(std::span<const Slot> slots, Slot first_new) {
-  for (std::size_t i = slots.size(); i-- > 0;) {
-    unmap(ids_[slots[i]]);
-    if (slots[i] >= first_new) {
-      ids_.pop_back();
-    } else {
-      free_.push_back(slots[i]);
-    }
-    --size_;
-  }
 }
 
 void IdTable::choose_ids(std::span<BodyId> ids) const {
@@ -146,8 +125,7 @@ void IdTable::choose_ids(std::span<BodyId> ids) const {
   };
   auto beyond = static_cast<BodyId>(ids_.size() + ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    ids[i] =
-        i < free_.size() ? free_[free_.size() - 1 - i] : static_cast<BodyId>(ids_.size() + i - free_.size());
+    ids[i] = next_slot(i);
     while (is_taken(ids[i])) ids[i] = beyond++;
   }
 }

@@ -76,13 +76,16 @@ class IdTable {
  private:
   void reserve_for(std::span<const BodyId> ids);
   void grow_direct(std::span<const BodyId> ids);
-  bool append(std::span<const BodyId> ids, Vector<Slot>& slots);
-  bool insert_singly(std::span<const BodyId> ids, Vector<Slot>& slots);
   bool map(BodyId id, Slot slot);
   void unmap(BodyId id);
-  Slot next_slot() const { return free_.empty() ? static_cast<Slot>(ids_.size()) : free_.back(); }
+  bool map_all(std::span<const BodyId> ids);
+  void append(std::span<const BodyId> ids, Vector<Slot>& slots);
+  // The slot that is given out when so many have been given out before.
+  Slot next_slot(std::size_t before) const {
+    return before < free_.size() ? free_[free_.size() - 1 - before]
+                                 : static_cast<Slot>(ids_.size() + before - free_.size());
+  }
   void take_slot(BodyId id);
-  void take_back(std::span<const Slot> slots, Slot first_new);
 
   std::size_t size_ = 0;
   bool identical_ = true;

@@ -2,13 +2,13 @@
 
 #include "cellsweep/cell.h"
 #include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/piece_finder.h"
 #include "engines/cell/cell_engine.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/ppu/brute.h"
 #include "engines/cell/ppu/paper.h"
 #include "engines/cell/ppu/resident.h"
 #include "engines/cell/ppu/stream_spes.h"
-#include "engines/stream/make_stream.h"
 
 namespace cellsweep {
 namespace {

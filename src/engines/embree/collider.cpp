@@ -9,8 +9,8 @@
 #include <string>
 #include <thread>
 
+#include "base/inside_embree.h"
 #include "cellsweep/engine/engine.h"
-#include "engines/embree/hand_over.h"
 
 namespace cellsweep::embree {
 namespace {

@@ -1,4 +1,4 @@
-#include "engines/stream/make_stream.h"
+#include "cellsweep/engine/piece_finder.h"
 
 #include <algorithm>
 #include <memory>
@@ -66,6 +66,12 @@ namespace cellsweep {
 
 Result<Broadphase> make_broadphase(const StreamOptions& options) {
   return stream::make_stream_broadphase(options, "stream", nullptr, "stream");
+}
+
+std::optional<StreamView> stream_view(const Broadphase& broadphase) {
+  const auto* engine = dynamic_cast<const stream::Stream*>(&EngineAccess::engine_of(broadphase));
+  if (engine == nullptr) return std::nullopt;
+  return engine->view(EngineAccess::boxes_of(broadphase));
 }
 
 // The default settings are never refused.

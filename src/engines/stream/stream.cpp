@@ -1,11 +1,13 @@
 #include "engines/stream/stream.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <chrono>
 #include <utility>
 
 #include "base/text.h"
 #include "base/tuning.h"
+#include "engines/stream/cells/cell_bounds.h"
 
 namespace cellsweep::stream {
 namespace {
@@ -56,12 +58,12 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
 }
 
 Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statistics) {
+  if (parts_.finder) parts_.finder->begin_update();
   if (changes.none()) {
     note_idle(statistics);
     return FoundPairs{};
   }
   PhaseTimer timer(statistics.phases);
-  if (parts_.finder) parts_.finder->begin_update();
   Kind kind = take(changes);
   timer.lap("fat boxes");
   FoundPairs found;
@@ -76,6 +78,22 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
   ++updates_[kind];
   refresh_counters(statistics);
   return found;
+}
+
+StreamView Stream::view(std::span<const Aabb> boxes) const {
+  StreamView view;
+  Aabb bounds{{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+  const Aabb* fat = fat_boxes_.data(boxes);
+  for (std::size_t slot = 0; slot < boxes.size(); ++slot) {
+    if (!(fat[slot].min[0] <= fat[slot].max[0])) continue;  // nobody
+    view.fat_boxes.push_back(fat[slot]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      bounds.min[axis] = std::min(bounds.min[axis], fat[slot].min[axis]);
+      bounds.max[axis] = std::max(bounds.max[axis], fat[slot].max[axis]);
+    }
+  }
+  list_cell_bounds(cells_.root(), bounds, view.cells);
+  return view;
 }
 
 void Stream::note_idle(Statistics& statistics) {

@@ -11,6 +11,7 @@
 #include "base/crew.h"
 #include "cellsweep/engine/engine.h"
 #include "cellsweep/engine/phase_timer.h"
+#include "cellsweep/stream_view.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/cell_tree.h"
 #include "engines/stream/pairs/candidate_list.h"
@@ -34,6 +35,8 @@ class Stream final : public Engine, public HasFinder {
 
   Capacity capacity() const override;
   Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) override;
+  /// A look inside; `boxes` are those of the last update, by slot.
+  StreamView view(std::span<const Aabb> boxes) const;
   const PieceFinder* finder() const override { return parts_.finder.get(); }
 
  private:

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/piece_finder.h"
 #include "engines/cell/cell_world.h"
 #include "engines/cell/passing_emulation.h"
 #include "engines/cell/ppu/brute.h"
@@ -13,7 +14,6 @@
 #include "engines/cell/ppu/resident.h"
 #include "engines/cell/ppu/stream_spes.h"
 #include "engines/oracle/brute_force.h"
-#include "engines/stream/make_stream.h"
 
 extern "C" spe_program_handle_t cell_failing_spu;
 

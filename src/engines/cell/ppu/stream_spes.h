@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "cellsweep/cell.h"
+#include "cellsweep/engine/piece_finder.h"
 #include "engines/cell/cell_engine.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/ppu/dma_memory.h"
 #include "engines/cell/ppu/spe_group.h"
 #include "engines/cell/stream_wire.h"
-#include "engines/stream/cells/piece_finder.h"
 
 namespace cellsweep::cell {
 

@@ -14,10 +14,10 @@
 #include "base/memory/memory.h"
 #include "base/pair_sort.h"
 #include "cellsweep/aabb.h"
+#include "cellsweep/engine/piece_finder.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/grid.h"
 #include "engines/stream/cells/keys.h"
-#include "engines/stream/cells/piece_finder.h"
 #include "engines/stream/kernels/kernel.h"
 
 namespace cellsweep::stream {
@@ -71,6 +71,7 @@ class CellTree {
   KeyParts began() const { return began_; }
   KeyParts ended() const { return ended_; }
 
+  const Node& root() const { return root_; }
   /// Cells of the topmost grid.
   std::uint64_t pieces() const { return root_.grid.cells(); }
   /// Boxes put into cells by the last build and since.

@@ -7,32 +7,13 @@
 #include <cstdint>
 
 #include "cellsweep/aabb.h"
-#include "cellsweep/engine/slots.h"
+#include "cellsweep/engine/cell_boxes.h"
 #include "cellsweep/options.h"
 
 namespace cellsweep::stream {
 
 /// The largest vector of any kernel, in boxes.
 inline constexpr std::uint32_t kMaxLanes = 16;
-
-/// A tag holds a body's slot and, above kSlotBits, on which axes the body's minimum lies in the cell. All
-/// axes:
-inline constexpr std::uint32_t kWholeFlags = 7;
-
-/// A box in a cell. Boxes come into cells in no order: to write one, a single cache line is fetched.
-struct alignas(32) TaggedBox {
-  Aabb box;
-  std::uint32_t tag;
-  std::uint32_t unused;
-};
-
-/// The boxes of one cell. `count` of `capacity` hold something; `capacity` is a multiple of the kernels'
-/// lanes.
-struct CellBoxes {
-  TaggedBox* boxes = nullptr;
-  std::uint32_t count = 0;
-  std::uint32_t capacity = 0;
-};
 
 /// The numbers of a Grid: a coordinate's cell on an axis is (coordinate - origin) * scale, cut off below 0
 /// and above `top`; NaN is 0. A cell's number is x + row * y + plane * z.
@@ -52,28 +33,6 @@ struct alignas(32) EightBlocks {
   std::uint32_t second[8];  ///< of two cells the second, under its flags; of one the same
   std::uint32_t more[8];    ///< cells more on all axes together: 0, 1 and then not two; kNobody for NaN
 };
-
-/// Thrown where more pairs are found than asked for.
-struct TooManyPairs {};
-
-/// Pair keys (pair_key()), growing. The kernels write behind the end and move it.
-struct KeyBuffer {
-  std::uint64_t* keys = nullptr;
-  std::size_t size = 0;
-  std::size_t capacity = 0;
-  std::size_t most = ~std::size_t{0};  // larger than this, it does not grow: TooManyPairs
-  void (*grow)(KeyBuffer& buffer, std::size_t more) = nullptr;
-};
-
-// Internal, because kernels call it: body.h says why.
-namespace {
-
-/// Makes room for `more` keys behind the end.
-inline void make_room(KeyBuffer& buffer, std::size_t more) {
-  if (buffer.capacity - buffer.size < more) buffer.grow(buffer, more);
-}
-
-}  // namespace
 
 /// Where to tell what a change of a cell did to pairs.
 struct KeyChanges {

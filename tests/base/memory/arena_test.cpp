@@ -1,3 +1,5 @@
+/// @file
+/// Memory that is given out piece by piece and taken back all at once.
 #include "base/memory/arena.h"
 
 #include <gmock/gmock.h>
@@ -6,7 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace cellsweep::stream {
+#include "base/memory/starved.h"
+
+namespace cellsweep {
 namespace {
 
 TEST(Arena, HandsOutAlignedBlocksThatDoNotOverlap) {
@@ -63,5 +67,37 @@ TEST(Arena, HasRoomForABlockLargerThanAllBefore) {
   EXPECT_GE(arena.bytes(), 4'000'000U);
 }
 
+TEST(Arena, TakesBackInItsScopeWhatWasHandedOutInIt) {
+  Arena arena;
+  char* first = nullptr;
+  for (int round = 0; round < 3; ++round) {
+    const ArenaScope scope(arena);
+    char* const block = arena.take<char>(200'000);
+    if (round == 0) first = block;
+    EXPECT_EQ(block, first);
+    const ArenaScope inner(arena);
+    arena.take<char>(300'000);
+  }
+}
+
+TEST(Arena, GoesOnAfterMemoryFailed) {
+  Arena arena;
+  char* const kept = arena.take<char>(1000);
+  std::fill_n(kept, 1000, 'k');
+  const std::size_t bytes = arena.bytes();
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_TRUE(fails_at(1, [&] { arena.take<char>(500'000); }));
+    EXPECT_EQ(arena.bytes(), bytes);
+  }
+  char* const block = arena.take<char>(500'000);
+  std::fill_n(block, 500'000, 'b');
+  EXPECT_TRUE(std::all_of(kept, kept + 1000, [](char value) { return value == 'k'; }));
+  EXPECT_GE(arena.bytes(), 501'000U);
+  EXPECT_TRUE(fails_at(1, [&] {
+    Arena empty;
+    empty.take<char>(1);
+  }));
+}
+
 }  // namespace
-}  // namespace cellsweep::stream
+}  // namespace cellsweep

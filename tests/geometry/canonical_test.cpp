@@ -1,20 +1,19 @@
 /// @file
-/// What is made canonical, what is refused, and in which words.
+/// What is made canonical, and what is a valid box.
 #include "geometry/canonical.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
+#include <cfloat>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <vector>
 
 #include "contract/box_kinds.h"
 
 namespace cellsweep {
 namespace {
-
-using testing::HasSubstr;
 
 constexpr float kDenormal = std::numeric_limits<float>::denorm_min();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -73,55 +72,6 @@ TEST(ValidBox, HasNoNanNoInfinityAndNoAxisTheWrongWayRound) {
       EXPECT_FALSE(is_valid(box)) << "axis " << axis << ": " << low << " to " << high;
     }
   }
-}
-
-TEST(InvalidBoxStatus, NamesTheBodyTheAxisAndTheNumbers) {
-  const Status reversed = invalid_box_status(4242, {{0, 7.5F, 0}, {1, 3.25F, 1}});
-  EXPECT_EQ(reversed.code, StatusCode::invalid_box);
-  EXPECT_EQ(reversed.body, 4242U);
-  EXPECT_THAT(reversed.message,
-              testing::AllOf(HasSubstr("4242"), HasSubstr(" y"), HasSubstr("7.5"), HasSubstr("3.25")));
-
-  const Status infinite = invalid_box_status(0, {{0, 0, 0}, {1, 1, kInfinity}});
-  EXPECT_EQ(infinite.body, 0U);
-  EXPECT_THAT(infinite.message, testing::AllOf(HasSubstr("body 0"), HasSubstr(" z"), HasSubstr("inf"),
-                                               HasSubstr("not finite")));
-
-  const Status nan = invalid_box_status(0xffffffff, {{kNan, 0, 0}, {1, 1, 1}});
-  EXPECT_THAT(nan.message, testing::AllOf(HasSubstr("4294967295"), HasSubstr(" x"), HasSubstr("nan")));
-}
-
-TEST(LengthStatus, NamesBothLengths) {
-  const Status status = length_status(31, 47);
-  EXPECT_EQ(status.code, StatusCode::bad_input);
-  EXPECT_EQ(status.body, std::nullopt);
-  EXPECT_THAT(status.message, testing::AllOf(HasSubstr("31"), HasSubstr("47")));
-}
-
-TEST(BodyStatus, NamesTheBody) {
-  const Status unknown = unknown_body_status(77);
-  EXPECT_EQ(unknown.code, StatusCode::unknown_body);
-  EXPECT_EQ(unknown.body, 77U);
-  EXPECT_THAT(unknown.message, HasSubstr("77"));
-
-  const Status duplicate = duplicate_body_status(88, "in two places");
-  EXPECT_EQ(duplicate.code, StatusCode::duplicate_body);
-  EXPECT_EQ(duplicate.body, 88U);
-  EXPECT_THAT(duplicate.message, testing::AllOf(HasSubstr("88"), HasSubstr("in two places")));
-}
-
-TEST(FindDuplicate, FindsNothingWhereAllDiffer) {
-  EXPECT_EQ(find_duplicate({}), std::nullopt);
-  EXPECT_EQ(find_duplicate(std::vector<BodyId>{3}), std::nullopt);
-  EXPECT_EQ(find_duplicate(std::vector<BodyId>{1, 2, 3}), std::nullopt);
-  EXPECT_EQ(find_duplicate(std::vector<BodyId>{3, 0xffffffff, 0, 2}), std::nullopt);
-}
-
-TEST(FindDuplicate, FindsTheSmallestIdThatOccursTwice) {
-  EXPECT_EQ(find_duplicate(std::vector<BodyId>{5, 5}), 5U);
-  EXPECT_EQ(find_duplicate(std::vector<BodyId>{1, 2, 2}), 2U);
-  EXPECT_EQ(find_duplicate(std::vector<BodyId>{0, 1, 2, 0}), 0U);
-  EXPECT_EQ(find_duplicate(std::vector<BodyId>{9, 4, 9, 0xffffffff, 4, 0xffffffff}), 4U);
 }
 
 }  // namespace
