@@ -34,7 +34,7 @@ struct Answer {
 struct Model {
   std::map<BodyId, Aabb> boxes;
   std::map<BodyId, Aabb> shown;
-  std::set<BodyId> gone;      ///< removed since the last update, though the id may be back
+  std::set<BodyId> gone;  ///< removed since the last update, though the id may be back
   std::vector<Pair> pairs;
 
   /// All ids, ascending.
