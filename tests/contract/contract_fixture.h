@@ -6,6 +6,7 @@
 
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "contract/box_kinds.h"
 #include "contract/contract_engines.h"
@@ -29,6 +30,16 @@ inline std::string engine_and_kind_label(
 
 inline auto all_engines() {
   return testing::ValuesIn(contract_engines());
+}
+
+/// Those that come with the handle, whose memory is base/memory/'s.
+inline auto engines_of_the_core() {
+  std::vector<ContractEngine> engines;
+  for (const ContractEngine& engine : contract_engines()) {
+    if (engine.name == "stream" || engine.name == "control" || engine.name == "oracle")
+      engines.push_back(engine);
+  }
+  return testing::ValuesIn(engines);
 }
 
 inline auto all_kinds() {

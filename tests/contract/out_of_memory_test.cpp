@@ -39,17 +39,7 @@ TEST_P(OutOfMemoryContract, ACallThatRunsOutOfMemoryChangesNothingWhereverItHapp
   EXPECT_GT(n, 10U) << "memory is asked for in fewer places than there are";
 }
 
-/// Engines of this library, whose memory that is.
-auto engines_of_this_library() {
-  std::vector<ContractEngine> engines;
-  for (const ContractEngine& engine : contract_engines()) {
-    if (engine.name == "stream" || engine.name == "control" || engine.name == "oracle")
-      engines.push_back(engine);
-  }
-  return testing::ValuesIn(engines);
-}
-
-INSTANTIATE_TEST_SUITE_P(Engines, OutOfMemoryContract, engines_of_this_library(), engine_label);
+INSTANTIATE_TEST_SUITE_P(Engines, OutOfMemoryContract, engines_of_the_core(), engine_label);
 
 TEST(StarvedExecutors, ACallThatGetsNoTasksChangesNothing) {
   int failures = 1;

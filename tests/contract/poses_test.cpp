@@ -306,21 +306,6 @@ TEST(PoseContract, TheLargestPosesThatAreTakenGiveFiniteBoxes) {
   for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isfinite(box.min[k]) && std::isfinite(box.max[k]));
 }
 
-TEST(PoseContract, NoSpuHearsOfPosesThatAreAsTheyWere) {
-  Broadphase engine = make_boxes_maker();
-  const std::vector<BodyId> ids = {1, 2, 3};
-  const auto words = [&] {
-    const auto& counters = engine.statistics().counters;
-    return std::ranges::find(counters, "mailbox words", &Counter::name)->value;
-  };
-  ASSERT_TRUE(insert_poses(engine, ids, std::vector<BodyPose>(3)).ok());
-  ASSERT_TRUE(engine.update().ok());
-  const std::uint64_t before = words();
-  ASSERT_TRUE(move_poses(engine, ids, std::vector<BodyPose>(3)).ok());
-  ASSERT_TRUE(engine.update().ok());
-  EXPECT_EQ(words(), before);
-}
-
 TEST(PoseRefusals, EnginesWithoutTheOptionRefusePoses) {
   for (const ContractEngine& given : contract_engines()) {
     if (given.takes_poses) continue;

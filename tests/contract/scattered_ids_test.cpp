@@ -87,6 +87,29 @@ TEST_P(ScatteredIdsContract, EveryUpdateEqualsTheOracle) {
   }
 }
 
+using ScatteredIdsAnewContract = PerEngine;
+
+TEST_P(ScatteredIdsAnewContract, AllMayGoAndComeBackInAnotherOrder) {
+  const BoxKind& kind = box_kind("touching");
+  for (const std::size_t bodies : {5, 16}) {
+    CheckedEngine checked(GetParam(), story_of(kind, bodies, 1));
+    Random random(bodies);
+    std::vector<BodyId> ids = scattered_ids(random, bodies);
+    for (int round = 0; round < 6; ++round) {
+      ASSERT_TRUE(checked.insert(ids, make_boxes(kind, random, bodies)));
+      ASSERT_TRUE(checked.update());
+      random.shuffle(ids);
+      ASSERT_TRUE(checked.remove(ids));
+      if (round % 2 == 0) {
+        ASSERT_TRUE(checked.update());
+      }
+      random.shuffle(ids);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, ScatteredIdsAnewContract, all_engines(), engine_label);
+
 INSTANTIATE_TEST_SUITE_P(Engines, ScatteredIdsContract, all_engines_and_kinds(), engine_and_kind_label);
 
 }  // namespace

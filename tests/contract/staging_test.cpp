@@ -109,6 +109,19 @@ TEST_P(StagingContract, ABodyThatNoUpdateSawLeavesNothingBehind) {
   EXPECT_EQ(checked_.engine().size(), 1U);
 }
 
+TEST_P(StagingContract, BodiesThatNoUpdateSeesTakeNoMoreMemoryUpdateByUpdate) {
+  ASSERT_TRUE(checked_.insert({1}, {cube_at(0)}));
+  ASSERT_TRUE(checked_.update());
+  std::uint64_t bytes = 0;
+  for (int round = 0; round < 400; ++round) {
+    ASSERT_TRUE(checked_.insert({2, 3, 4}, std::vector<Aabb>(3, cube_at(0))));
+    ASSERT_TRUE(checked_.remove({2, 3, 4}));
+    ASSERT_TRUE(checked_.update());
+    if (round == 20) bytes = checked_.engine().statistics().bytes;
+  }
+  EXPECT_EQ(checked_.engine().statistics().bytes, bytes);
+}
+
 TEST_P(StagingContract, ABodyThatNoUpdateSawMayComeBackElsewhere) {
   ASSERT_TRUE(checked_.insert({1}, {cube_at(0)}));
   ASSERT_TRUE(checked_.insert({2}, {cube_at(0)}));
