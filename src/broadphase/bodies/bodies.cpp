@@ -29,15 +29,15 @@ Status Bodies::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes, 
   if (ids.size() != boxes.size()) return length_status(ids.size(), boxes.size());
   const bool clean = are_clean(boxes);
   if (!clean && !are_valid(boxes)) return find_invalid_boxes(ids, boxes);
-  const std::size_t slots = table_.slot_count() + ids.size();
-  make_room(boxes_, slots);
-  make_room(states_, slots);
-  const std::size_t before = inserted_.size();
   if (Status status = check_room(engine, capacity, ids.size()); !status.ok()) {
     if (Status twice = find_listed_twice(ids); !twice.ok()) return twice;
     if (Status held = find_held(table_, ids); !held.ok()) return held;
     return status;
   }
+  const std::size_t slots = table_.slot_count() + ids.size();
+  make_room(boxes_, slots);
+  make_room(states_, slots);
+  const std::size_t before = inserted_.size();
   if (!table_.insert(ids, inserted_)) {
     if (Status status = find_listed_twice(ids); !status.ok()) return status;
     return find_held(table_, ids);

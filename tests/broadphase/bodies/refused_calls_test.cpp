@@ -27,6 +27,7 @@ class RefusedCall : public testing::TestWithParam<unsigned> {
     ASSERT_TRUE(move({5, 8}, boxes_from(200, 2)).ok());
     ASSERT_TRUE(bodies_.remove(Ids{4}).ok());
     before_ = shown_by(bodies_);
+    bytes_ = bodies_.bytes();
   }
 
   Status move(const Ids& ids, const std::vector<Aabb>& boxes) { return bodies_.move(crew_, ids, boxes); }
@@ -41,6 +42,7 @@ class RefusedCall : public testing::TestWithParam<unsigned> {
   Crew crew_{std::make_shared<ThreadPool>(GetParam()), GetParam(), Crew::Choice::given};
   Bodies bodies_;
   Shown before_;
+  std::size_t bytes_ = 0;
 };
 
 TEST_P(RefusedCall, SpansOfDifferentLength) {
@@ -123,6 +125,14 @@ TEST_P(RefusedCall, MoreBodiesThanThereMayBeAmongWhichOneIsWrongForThat) {
   std::vector<Aabb> boxes = boxes_from(300, 8);
   boxes[2] = kNobody;
   expect_refused(insert(bodies_, ids, boxes, kFewBodies), StatusCode::invalid_box, {22});
+}
+
+TEST_P(RefusedCall, MoreBodiesThanThereMayBeTakeNoMemory) {
+  Ids ids(100'000);
+  const std::vector<Aabb> boxes = boxes_from(300, ids.size());
+  expect_refused(bodies_.add(boxes, ids, "test", kFewBodies), StatusCode::capacity, {});
+  expect_refused(insert(bodies_, ids_from(20, ids.size()), boxes, kFewBodies), StatusCode::capacity, {});
+  EXPECT_EQ(bodies_.bytes(), bytes_);
 }
 
 TEST_P(RefusedCall, OfNobodyIsNone) {
