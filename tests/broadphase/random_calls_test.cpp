@@ -11,6 +11,7 @@
 #include "broadphase/bodies/shown.h"
 #include "broadphase/pairs/pair_order.h"
 #include "broadphase/pairs/pair_set.h"
+#include "cellsweep/broadphase.h"
 #include "contract/random.h"
 
 namespace cellsweep {
@@ -377,6 +378,30 @@ INSTANTIATE_TEST_SUITE_P(Ids, RandomRooms,
                            return std::get<0>(test.param).name + std::string("_with_") +
                                   std::to_string(std::get<1>(test.param)) + "_workers";
                          });
+
+// What was known about the order of the others must not be taken for theirs, after any number of calls.
+TEST(BroadphaseOfScatteredIds, NamesBodiesByTheirOwnIdsAfterAllOthersHaveGone) {
+  for (std::size_t others = 2; others < 5; ++others) {
+    for (std::size_t calls = 2; calls < 12; ++calls) {
+      Broadphase broadphase;
+      const Ids gone = {40, 30, 20, 10};
+      ASSERT_TRUE(broadphase.insert({gone.data(), others}, std::vector<Aabb>(others)).ok());
+      ASSERT_TRUE(broadphase.update().ok());
+      ASSERT_TRUE(broadphase.remove({gone.data(), others}).ok());
+      ASSERT_TRUE(broadphase.update().ok());
+      for (std::size_t i = 0; i < calls; ++i) {
+        ASSERT_TRUE(
+            broadphase.insert(static_cast<BodyId>(900 - i), box_at(2 * static_cast<float>(i / 2))).ok());
+      }
+      const auto changes = broadphase.update();
+      ASSERT_EQ(changes->began.size(), calls / 2);
+      for (std::size_t i = 0; i < calls / 2; ++i) {
+        const auto first = static_cast<BodyId>(901 - 2 * (calls / 2) + 2 * i);
+        EXPECT_EQ(changes->began[i], (Pair{first, first + 1})) << calls << " calls after " << others;
+      }
+    }
+  }
+}
 
 }  // namespace
 }  // namespace cellsweep

@@ -220,7 +220,10 @@ void Bodies::commit() {
   inserted_.clear();
   table_.release();
   if (table_.slot_count() > 0 || boxes_.empty()) return;
+  // With nobody left all memory goes back. The table goes on counting its versions.
+  IdTable table = std::move(table_);
   *this = Bodies();
+  table_ = std::move(table);
 }
 
 BodyChanges Bodies::all_as_new() {

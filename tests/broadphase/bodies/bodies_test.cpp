@@ -248,6 +248,14 @@ TEST_F(BodiesTest, GiveAllMemoryBackWhenNobodyIsLeft) {
   }
 }
 
+TEST_F(BodiesTest, WhenNobodyIsLeftTheIdsOfSlotsHaveChanged) {
+  fill(3);
+  const std::uint64_t version = bodies_.table().version();
+  ASSERT_TRUE(bodies_.remove(ids_from(0, 3)).ok());
+  update(bodies_);
+  EXPECT_GT(bodies_.table().version(), version);
+}
+
 TEST_F(BodiesTest, NumberSlotsAnewWhenMostAreFree) {
   fill(4000);
   EXPECT_FALSE(bodies_.tidy());
