@@ -248,7 +248,8 @@ bool Bodies::tidy() {
   states_ = std::move(states);
   moved_ = {};
   removed_ = {};
-  inserted_ = slots_ = {};
+  inserted_ = Vector<Slot>();
+  slots_ = Vector<Slot>();
   return true;
 }
 
