@@ -100,16 +100,16 @@ Status Bodies::move(Crew& crew, std::span<const BodyId> ids, std::span<const Aab
 bool Bodies::check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes) {
   checks_.resize(crew.workers());
   moved_.reserve(moved_.size() + ids.size());
-  run_checks(crew, ids, boxes, unmoved_);
-  const bool ascend = checks_ascend(crew.active());
-  if (!ascend && unmoved_ == Unmoved::left_out) run_checks(crew, ids, boxes, Unmoved::kept);
-  unmoved_ = ascend ? Unmoved::left_out : Unmoved::kept;
+  run_checks(crew, ids, boxes, ascended_ ? Unmoved::left_out : Unmoved::kept);
+  ascended_ = checks_ascend(crew.active());
+  if (!ascended_ && unmoved_ == Unmoved::left_out) run_checks(crew, ids, boxes, Unmoved::kept);
   return std::all_of(checks_.begin(), checks_.begin() + crew.active(),
                      [](const MoveCheck& check) { return check.good(); });
 }
 
 void Bodies::run_checks(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes,
                         Unmoved unmoved) {
+  unmoved_ = unmoved;
   ChangedBody* const room = moved_.data() + moved_.size();
   const HeldBodies held{table_, boxes_.data(), states_.data()};
   crew.run([&](unsigned worker) {

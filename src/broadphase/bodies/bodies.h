@@ -68,7 +68,8 @@ class Bodies {
   Vector<Slot> inserted_;          // those that were removed again are kGone
   Vector<Slot> slots_;             // of the call, or of all_as_new()
   std::vector<MoveCheck> checks_;  // by worker
-  Unmoved unmoved_ = Unmoved::left_out;  // what the last call of move() turned out to need
+  bool ascended_ = true;                 // the slots of the last call of move()
+  Unmoved unmoved_ = Unmoved::left_out;  // by the checks of the call
 };
 
 }  // namespace cellsweep

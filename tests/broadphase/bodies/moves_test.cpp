@@ -51,6 +51,7 @@ TEST_P(MovesTest, ToWhereBodiesAreMoveNobody) {
     EXPECT_EQ(listed(), 0U);
   }
   move({7}, {boxes_[7]});
+  move({3, 4, 9, 150}, {boxes_[3], boxes_[4], boxes_[9], boxes_[150]});
   EXPECT_EQ(listed(), 0U);
 }
 
@@ -86,6 +87,16 @@ TEST_P(MovesTest, InDescendingOrderToWhereBodiesAreMoveNobody) {
     move({all_.rbegin(), all_.rend()}, {boxes_.rbegin(), boxes_.rend()});
     EXPECT_EQ(listed(), 0U);
   }
+}
+
+TEST_P(MovesTest, ToWhereBodiesAreMoveNobodyThoughTheCallBeforeWasInAnotherOrder) {
+  move({9, 8}, {box_at(1000), box_at(1002)});
+  update(bodies_);
+  std::vector<Aabb> boxes = boxes_;
+  boxes[9] = box_at(1000);
+  boxes[8] = box_at(1002);
+  move(all_, boxes);
+  EXPECT_EQ(listed(), 0U);
 }
 
 TEST_P(MovesTest, OfOneBodyToSeveralPlacesEndAtTheLast) {
