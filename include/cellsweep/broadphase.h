@@ -44,7 +44,8 @@ struct Capacity {
 ///
 /// Between updates: insert(), move() and remove() are remembered and take effect together in the next
 /// update(). Until then pairs() and boxes() are those of the update before. When update() fails, by its
-/// status or by std::bad_alloc, they still are, and what was remembered still is: calling it again tries again.
+/// status or by std::bad_alloc, they still are, and what was remembered still is: calling it again tries
+/// again.
 ///
 /// A body that is removed and inserted again before an update is a new body: its pairs are in `ended`, and
 /// those that it has now in `began`.
@@ -72,8 +73,8 @@ class CELLSWEEP_API Broadphase final {
   Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes);
   Status insert(BodyId id, const Aabb& box);
 
-  /// Adds bodies whose ids the library hands out, into the caller's `ids`: as small as there are, none that is
-  /// in use, and none whose pairs have not been reported as ended. Errors: those of insert().
+  /// Adds bodies whose ids the library hands out, into the caller's `ids`: as small as there are, none that
+  /// is in use, and none whose pairs have not been reported as ended. Errors: those of insert().
   Status add(std::span<const Aabb> boxes, std::span<BodyId> ids);
   Result<BodyId> add(const Aabb& box);
 

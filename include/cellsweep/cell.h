@@ -73,15 +73,16 @@ struct CellBruteOptions {
 /// Engine `cell-resident`: the document's future work (6.2).
 struct CellResidentOptions {
   SpeOptions spes{};
-  unsigned spus = 0;       ///< that work, 3 to 16; 0 lets the engine choose
-  bool spu_boxes = false;  ///< take poses (insert_poses()) and make their boxes on the SPUs (F3); costs local store
-  std::string trace{};     ///< as CellPaperOptions::trace
+  unsigned spus = 0;  ///< that work, 3 to 16; 0 lets the engine choose
+  bool spu_boxes =
+      false;  ///< take poses (insert_poses()) and make their boxes on the SPUs (F3); costs local store
+  std::string trace{};  ///< as CellPaperOptions::trace
 };
 
 /// Engine `cell-stream`: engine `stream` whose cells go through the local stores of SPEs.
 struct CellStreamOptions {
   SpeOptions spes{};
-  unsigned spus = 0;     ///< that work; 0 lets the engine choose, 16 at most
+  unsigned spus = 0;       ///< that work; 0 lets the engine choose, 16 at most
   StreamOptions stream{};  ///< its settings on the host
 };
 

@@ -63,10 +63,6 @@ constexpr bool is_tag_fence(std::uint32_t opcode) {
 constexpr bool is_queue_barrier(std::uint32_t opcode) {
   return opcode == MFC_BARRIER_CMD;
 }
-/// Storage control (data cache range) commands.
-constexpr bool is_storage_control(std::uint32_t opcode) {
-  return (opcode & 0xf0U) == 0x80U;
-}
 
 /// True if `earlier`, issued before `later` in the same queue, must be done before `later` may start.
 constexpr bool must_precede(const Command& earlier, const Command& later) {

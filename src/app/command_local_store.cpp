@@ -9,14 +9,19 @@
 namespace cellsweep::app {
 namespace {
 
+bool fits(const LocalStoreMap& map) {
+  return map.limit == 0 || report::used_bytes(map) <= map.limit;
+}
+
 void print_map(const LocalStoreMap& map) {
+  const std::uint64_t used = report::used_bytes(map);
   report::Table table({"part", "bytes"}, 1);
   for (const LocalStorePart& part : map.parts) table.add({part.name, std::to_string(part.bytes)});
-  table.add({"together", std::to_string(map.used())});
+  table.add({"together", std::to_string(used)});
   if (map.limit != 0) {
     table.add({"limit", std::to_string(map.limit)});
-    table.add({map.fits() ? "free" : "too many",
-               std::to_string(map.fits() ? map.limit - map.used() : map.used() - map.limit)});
+    table.add(
+        {fits(map) ? "free" : "too many", std::to_string(fits(map) ? map.limit - used : used - map.limit)});
   }
   print_text(map.engine + ", " + std::to_string(map.bodies) + " bodies, local store of one SPE\n" +
              table.text());
@@ -25,8 +30,9 @@ void print_map(const LocalStoreMap& map) {
 nlohmann::ordered_json json_of(const LocalStoreMap& map) {
   auto parts = nlohmann::ordered_json::array();
   for (const LocalStorePart& part : map.parts) parts.push_back({{"name", part.name}, {"bytes", part.bytes}});
-  return {{"engine", map.engine},     {"bodies", map.bodies}, {"limit_bytes", map.limit},
-          {"used_bytes", map.used()}, {"fits", map.fits()},   {"parts", parts}};
+  return {{"engine", map.engine},     {"bodies", map.bodies},
+          {"limit_bytes", map.limit}, {"used_bytes", report::used_bytes(map)},
+          {"fits", fits(map)},        {"parts", parts}};
 }
 
 struct LocalStore {
@@ -36,17 +42,17 @@ struct LocalStore {
 
   ExitCode run() const {
     if (const Status status = engines.check(); !status.ok()) return complain(status);
-    bool fits = true;
+    bool all_fit = true;
     auto maps = nlohmann::ordered_json::array();
     for (const std::string& name : engines.names()) {
       const auto map = report::local_store_of(name, report::values_for(name, engines.values()), bodies);
       if (!map) return complain(map.status());
-      fits = fits && map->fits();
+      all_fit = all_fit && fits(*map);
       if (json) maps.push_back(json_of(*map));
       if (!json) print_map(*map);
     }
     if (json) print_json({{"maps", maps}});
-    return fits ? kGood : kCapacity;
+    return all_fit ? kGood : kCapacity;
   }
 };
 

@@ -85,7 +85,7 @@ void EngineFlags::add_to(CLI::App& command, Times times, std::string only) {
   for (const SharedSetting& setting : shared_settings()) {
     if (times == Times::shown || !is_about_times(setting)) add_setting(command, setting);
   }
-  if (times == Times::shown) add_ppu_flags(command);
+  if (times == Times::shown && !engines_with(kCycles).empty()) add_ppu_flags(command);
 }
 
 void EngineFlags::add_setting(CLI::App& command, const SharedSetting& setting) {

@@ -35,8 +35,8 @@ std::string names_text(const std::vector<std::string_view>& names);
 /// store's limit. What is no size stays as it is, for the library to refuse.
 std::string value_from_typed(const SettingInfo& info, const std::string& typed);
 
-/// Words of the library with flags in the place of the settings that they name; those whose names are words of
-/// every day only if `about` names them.
+/// Words of the library with flags in the place of the settings that they name; those whose names are words
+/// of every day only if `about` names them.
 std::string with_flags(std::string words, std::string_view about = {});
 
 /// The message of a status in these words.

@@ -5,11 +5,11 @@
 
 #include "base/tuning.h"
 #include "broadphase/bodies/bodies.h"
-#include "broadphase/handle.h"
 #include "broadphase/pairs/pair_order.h"
 #include "broadphase/pairs/pair_set.h"
 #include "cellsweep/engine/engine.h"
 #include "cellsweep/engine/timeline.h"
+#include "engines/common/handle_parts.h"
 
 namespace cellsweep {
 

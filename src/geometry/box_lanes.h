@@ -46,8 +46,8 @@ inline bool overlap(const BoxLanes& one, const BoxLanes& other) {
   return on_all_axes((one.min <= other.max) & (other.min <= one.max));
 }
 
-inline bool encloses(const BoxLanes& hull, const BoxLanes& box) {
-  return on_all_axes((hull.min <= box.min) & (box.max <= hull.max));
+inline bool encloses(const BoxLanes& fat, const BoxLanes& box) {
+  return on_all_axes((fat.min <= box.min) & (box.max <= fat.max));
 }
 
 inline bool same_bits(const BoxLanes& one, const BoxLanes& other) {

@@ -56,6 +56,12 @@ Status move_posed(Broadphase& engine, std::span<const BodyId>, std::span<const B
 
 #endif
 
+std::uint64_t used_bytes(const LocalStoreMap& map) {
+  std::uint64_t sum = 0;
+  for (const LocalStorePart& part : map.parts) sum += part.bytes;
+  return sum;
+}
+
 void add_all_engines() {
 #ifdef CELLSWEEP_HAS_CELL
   add_cell_engines();

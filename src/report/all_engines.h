@@ -23,6 +23,9 @@ std::optional<CellStatistics> statistics_of_spes(const Broadphase& engine);
 Result<LocalStoreMap> local_store_of(std::string_view engine, const SettingValues& settings,
                                      std::uint64_t bodies);
 
+/// LocalStoreMap::used(), also in a build without engines on SPEs.
+std::uint64_t used_bytes(const LocalStoreMap& map);
+
 /// insert_poses() and move_poses(), also in a build without engines on SPEs: bad_option there.
 Status insert_posed(Broadphase& engine, std::span<const BodyId> ids, std::span<const BodyPose> poses);
 Status move_posed(Broadphase& engine, std::span<const BodyId> ids, std::span<const BodyPose> poses);

@@ -25,6 +25,7 @@ InterruptScope::InterruptScope() {
 }
 
 InterruptScope::~InterruptScope() {
+  interrupted = false;
   sigaction(SIGINT, &before_, nullptr);
 }
 

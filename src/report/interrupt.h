@@ -19,7 +19,7 @@ class InterruptScope {
   struct sigaction before_ {};
 };
 
-/// Whether there was a Ctrl-C in the scope that is there, or was there last.
+/// Whether there was a Ctrl-C in the scope that is there; false outside of scopes.
 bool is_interrupted();
 
 }  // namespace cellsweep::report

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "report/all_engines.h"
 #include "report/quantile.h"
 #include "report/units.h"
 #include "view/simulation.h"
@@ -51,7 +52,7 @@ void draw_strip(const LocalStoreMap& map, unsigned spe, float label_width) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::Dummy({width, kHeight});
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const double whole = static_cast<double>(std::max(map.limit, map.used()));
+  const double whole = static_cast<double>(std::max(map.limit, report::used_bytes(map)));
   draw.AddRectFilled(corner, {corner.x + width, corner.y + kHeight}, kGround);
   double used = 0;
   for (std::size_t part = 0; part < map.parts.size(); ++part) {
@@ -113,7 +114,7 @@ void draw_local_stores(const LocalStoreMap& map) {
   for (unsigned spe = 0; spe < map.spus; ++spe) draw_strip(map, spe, label_width);
   ImGui::Dummy({0, 1});
   for (std::size_t part = 0; part < map.parts.size(); ++part) draw_region_name(part, map.parts[part]);
-  const double kilobytes = static_cast<double>(map.used()) / 1024;
+  const double kilobytes = static_cast<double>(report::used_bytes(map)) / 1024;
   if (map.limit == 0) {
     ImGui::Text("%.1f KB used each, no limit", kilobytes);
   } else {

@@ -51,10 +51,10 @@ std::vector<Aabb> many_boxes() {
   return boxes;
 }
 
-bool encloses_by_axis(const Aabb& hull, const Aabb& box) {
+bool encloses_by_axis(const Aabb& fat, const Aabb& box) {
   bool enclosed = true;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    enclosed = enclosed && hull.min[axis] <= box.min[axis] && box.max[axis] <= hull.max[axis];
+    enclosed = enclosed && fat.min[axis] <= box.min[axis] && box.max[axis] <= fat.max[axis];
   return enclosed;
 }
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "cellsweep/aabb.h"
-#include "cellsweep/world/frame_source.h"
 #include "cellsweep/status.h"
+#include "cellsweep/world/frame_source.h"
 
 namespace cellsweep {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "cellsweep/world/frame_source.h"
 #include "cellsweep/status.h"
+#include "cellsweep/world/frame_source.h"
 #include "cellsweep/world/world.h"
 
 namespace cellsweep {

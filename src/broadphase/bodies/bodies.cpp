@@ -29,15 +29,15 @@ Status Bodies::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes, 
   if (ids.size() != boxes.size()) return length_status(ids.size(), boxes.size());
   const bool clean = are_clean(boxes);
   if (!clean && !are_valid(boxes)) return find_invalid_boxes(ids, boxes);
-  const std::size_t slots = table_.slot_count() + ids.size();
-  make_room(boxes_, slots);
-  make_room(states_, slots);
-  const std::size_t before = inserted_.size();
   if (Status status = check_room(engine, capacity, ids.size()); !status.ok()) {
     if (Status twice = find_listed_twice(ids); !twice.ok()) return twice;
     if (Status held = find_held(table_, ids); !held.ok()) return held;
     return status;
   }
+  const std::size_t slots = table_.slot_count() + ids.size();
+  make_room(boxes_, slots);
+  make_room(states_, slots);
+  const std::size_t before = inserted_.size();
   if (!table_.insert(ids, inserted_)) {
     if (Status status = find_listed_twice(ids); !status.ok()) return status;
     return find_held(table_, ids);
@@ -100,16 +100,16 @@ Status Bodies::move(Crew& crew, std::span<const BodyId> ids, std::span<const Aab
 bool Bodies::check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes) {
   checks_.resize(crew.workers());
   moved_.reserve(moved_.size() + ids.size());
-  run_checks(crew, ids, boxes, unmoved_);
-  const bool ascend = checks_ascend(crew.active());
-  if (!ascend && unmoved_ == Unmoved::left_out) run_checks(crew, ids, boxes, Unmoved::kept);
-  unmoved_ = ascend ? Unmoved::left_out : Unmoved::kept;
+  run_checks(crew, ids, boxes, ascended_ ? Unmoved::left_out : Unmoved::kept);
+  ascended_ = checks_ascend(crew.active());
+  if (!ascended_ && unmoved_ == Unmoved::left_out) run_checks(crew, ids, boxes, Unmoved::kept);
   return std::all_of(checks_.begin(), checks_.begin() + crew.active(),
                      [](const MoveCheck& check) { return check.good(); });
 }
 
 void Bodies::run_checks(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes,
                         Unmoved unmoved) {
+  unmoved_ = unmoved;
   ChangedBody* const room = moved_.data() + moved_.size();
   const HeldBodies held{table_, boxes_.data(), states_.data()};
   crew.run([&](unsigned worker) {
@@ -229,7 +229,10 @@ void Bodies::commit() {
   inserted_.clear();
   table_.release();
   if (table_.slot_count() > 0 || boxes_.empty()) return;
+  // With nobody left all memory goes back. The table goes on counting its versions.
+  IdTable table = std::move(table_);
   *this = Bodies();
+  table_ = std::move(table);
 }
 
 BodyChanges Bodies::all_as_new() {
@@ -254,7 +257,8 @@ bool Bodies::tidy() {
   states_ = std::move(states);
   moved_ = {};
   removed_ = {};
-  inserted_ = slots_ = {};
+  inserted_ = Vector<Slot>();
+  slots_ = Vector<Slot>();
   return true;
 }
 

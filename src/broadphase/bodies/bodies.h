@@ -73,7 +73,8 @@ class Bodies {
   bool some_unseen_ = false;             // some of the inserted were removed again, and are kGone
   Vector<Slot> slots_;                   // of the call, or of all_as_new()
   std::vector<MoveCheck> checks_;        // by worker
-  Unmoved unmoved_ = Unmoved::left_out;  // what the last call of move() turned out to need
+  bool ascended_ = true;                 // the slots of the last call of move()
+  Unmoved unmoved_ = Unmoved::left_out;  // by the checks of the call
 };
 
 }  // namespace cellsweep

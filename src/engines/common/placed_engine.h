@@ -84,9 +84,9 @@ class PlacedEngine : public Engine {
     return place;
   }
 
-  std::vector<Slot> slots_;   // by place
-  std::vector<Slot> places_;  // by slot
-  std::vector<Slot> free_;    // places
+  std::vector<Slot> slots_;    // by place
+  std::vector<Slot> places_;   // by slot
+  std::vector<Slot> free_;     // places
   std::vector<Slot> scratch_;  // places of the list at hand
   std::vector<Aabb> boxes_;    // and their boxes
 };

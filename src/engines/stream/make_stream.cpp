@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "base/thread_pool.h"
 #include "base/tuning.h"
-#include "broadphase/handle.h"
+#include "engines/common/handle_parts.h"
 #include "engines/stream/kernels/kernel.h"
 #include "engines/stream/stream.h"
 

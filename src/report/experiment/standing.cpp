@@ -48,7 +48,8 @@ std::string standing_text(const ExperimentResults& results, Measure measure) {
              comparison(*stream, other->microseconds), ".");
     const auto control = results.at(kYardstick, *bodies, measure);
     if (!control || other->engine == kYardstick) return words;
-    return words + text(" ", kYardstick, " takes ", time_text(*control), ": ", comparison(*stream, *control), ".");
+    return words +
+           text(" ", kYardstick, " takes ", time_text(*control), ": ", comparison(*stream, *control), ".");
   }
   return {};
 }
