@@ -259,7 +259,7 @@ class ManyStagedContract : public PerEngine {
     std::iota(ids_.begin(), ids_.end(), BodyId{0});
   }
 
-  std::size_t count() const { return std::min<std::size_t>(effort(600, 300, 100), checked_.capacity()); }
+  std::size_t count() const { return std::min<std::size_t>(effort(400, 200, 100), checked_.capacity()); }
 
   /// Replaces every n-th body by one of its id and its box.
   void replace(std::size_t every) {
@@ -293,8 +293,8 @@ class ManyStagedContract : public PerEngine {
 TEST_P(ManyStagedContract, FewBodiesOrManyAreReplacedWhileFewOrManyMove) {
   ASSERT_TRUE(checked_.insert(ids_, boxes_));
   ASSERT_TRUE(checked_.update());
-  for (const std::size_t replaced : {100, 7, 1}) {
-    for (const std::size_t moved : {1000, 90, 2, 1}) {
+  for (const std::size_t replaced : {40, 1}) {
+    for (const std::size_t moved : {1000, 30, 1}) {
       replace(replaced);
       move(moved);
       ASSERT_TRUE(checked_.update());
