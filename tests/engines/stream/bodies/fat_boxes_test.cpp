@@ -214,9 +214,11 @@ TEST_P(FatBoxesTest, AreTheBoxesAgainWhenSlackIsDropped) {
   for (Slot slot = 0; slot < 500; ++slot) move(slot, along_x(boxes_[slot], 0.05F));
   take(0);
   ASSERT_TRUE(fat_.have_slack());
+  const std::size_t bytes = fat_.bytes();
   fat_.drop_slack();
   EXPECT_FALSE(fat_.have_slack());
   EXPECT_EQ(fat_.data(boxes_), boxes_.data());
+  EXPECT_LE(fat_.bytes() + 500 * sizeof(Aabb), bytes) << "their memory is given back";
 }
 
 TEST_P(FatBoxesTest, EncloseTheirBoxesThroughAnyChanges) {
