@@ -155,7 +155,10 @@ FoundPairs Stream::find_none() {
   cells_.build({nullptr, 0});
   candidates_ = {};
   marks_ = {};
-  fresh_ = {};
+  now_ = {};
+  began_ = {};
+  ended_ = {};
+  fresh_ = Vector<std::uint8_t>();
   candidates_are_pairs_ = true;
   return {.ended = std::as_const(before_).view()};
 }

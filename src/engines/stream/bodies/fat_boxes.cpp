@@ -35,7 +35,7 @@ void FatBoxes::make_slack(const BodyChanges& changes) {
 }
 
 void FatBoxes::drop_slack() {
-  fat_ = {};
+  fat_ = Vector<Aabb>();
   slack_ = false;
 }
 
