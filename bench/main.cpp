@@ -10,6 +10,7 @@
 #include "bench/context.h"
 #include "bench/engine_suite.h"
 #include "bench/threads_suite.h"
+#include "bench/tuning_suite.h"
 #include "report/all_engines.h"
 #ifdef CELLSWEEP_CELL_ENGINES
 #include "bench/cell_suite.h"
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
   cellsweep::bench::add_context();
   cellsweep::bench::register_engine_suite();
   cellsweep::bench::register_threads_suite();
+  cellsweep::bench::register_tuning_suite();
 #ifdef CELLSWEEP_CELL_ENGINES
   cellsweep::bench::register_cell_suite();
   cellsweep::bench::register_first_attempt_suite();
