@@ -17,8 +17,10 @@
 #include "base/tuning.h"
 #include "cellsweep/broadphase.h"
 #include "cellsweep/world/scene.h"
-#include "engines/stream/cells/keys.h"
+#include "engines/stream/cells/cell_tree.h"
 #include "engines/stream/kernels/kernel.h"
+#include "engines/stream/pairs/candidate_list.h"
+#include "engines/stream/pairs/overlap_marks.h"
 #include "report/hand_over.h"
 
 namespace cellsweep::bench {
@@ -38,17 +40,6 @@ std::unique_ptr<FrameSource> uniform(std::size_t bodies, double moving) {
 
 Broadphase one_thread() {
   return std::move(*make_broadphase(StreamOptions{.threads = 1}));
-}
-
-std::uint64_t counter_of(const Broadphase& broadphase, std::size_t place) {
-  return broadphase.statistics().counters[place].value;
-}
-
-double seconds_of_phase(const Broadphase& broadphase, std::string_view name) {
-  for (const Phase& phase : broadphase.statistics().phases) {
-    if (phase.name == name) return phase.milliseconds / 1000;
-  }
-  return 0;
 }
 
 /// Seconds to check and remember one move, all bodies in one call.
@@ -72,28 +63,43 @@ double full_cost() {
   return seconds_of([&] { benchmark::DoNotOptimize(broadphase.update().ok()); }) / kBodies;
 }
 
-/// Seconds for one changed fat box, and for the test of one candidate, while some bodies move.
-struct ChangeCosts {
-  double change = 0;
-  double test = 0;
-};
-ChangeCosts change_costs() {
-  constexpr std::size_t kFatBoxes = 4;  // of the counters: put into cells
-  constexpr std::size_t kCandidates = 5;
-  const auto source = uniform(10'000, 0.05);
-  Broadphase broadphase = one_thread();
-  if (!report::insert_all(broadphase, *source).ok() || !broadphase.update()) return {};
-  ChangeCosts sum;
-  double changed = 0, tested = 0;
-  for (int frame = 0; frame < 40 && source->advance(); ++frame) {
-    const std::uint64_t before = counter_of(broadphase, kFatBoxes);
-    if (!report::move_changed(broadphase, *source).ok() || !broadphase.update()) return {};
-    sum.change += seconds_of_phase(broadphase, "cells") + seconds_of_phase(broadphase, "candidates");
-    sum.test += seconds_of_phase(broadphase, "tests");
-    changed += static_cast<double>(counter_of(broadphase, kFatBoxes) - before);
-    tested += static_cast<double>(counter_of(broadphase, kCandidates));
+/// The cells of so many bodies on one thread.
+struct Cells {
+  explicit Cells(std::size_t bodies)
+      : source(uniform(bodies, 1)), tree(crew, *stream::find_kernels(VectorIsa::best)) {}
+
+  double build_seconds() {
+    return seconds_of([&] { tree.build({source->boxes().data(), source->boxes().size()}); });
   }
-  return {sum.change / std::max(changed, 1.0), sum.test / std::max(tested, 1.0)};
+
+  std::unique_ptr<FrameSource> source;
+  Crew crew{nullptr, 1, Crew::Choice::given};
+  stream::CellTree tree;
+};
+
+/// Seconds for one changed fat box, of a twentieth that change.
+double change_cost() {
+  constexpr std::size_t kBodies = 10'000;
+  Cells cells(kBodies);
+  cells.build_seconds();
+  const std::vector<Aabb> before(cells.source->boxes().begin(), cells.source->boxes().end());
+  cells.source->advance();
+  std::vector<stream::FatBoxChange> changes;
+  for (Slot slot = 0; slot < kBodies; slot += 20)
+    changes.push_back({slot, true, true, before[slot], cells.source->boxes()[slot]});
+  return seconds_of([&] { cells.tree.change(changes); }) / static_cast<double>(changes.size());
+}
+
+/// Seconds for the test of one candidate whose boxes are far from each other.
+double candidate_cost() {
+  Cells cells(100'000);
+  cells.build_seconds();
+  stream::CandidateList candidates;
+  candidates.replace(cells.tree.found());
+  const std::span<const SlotPair> pairs = candidates.pairs(cells.crew);
+  stream::OverlapMarks marks;
+  const auto* boxes = cells.source->boxes().data();
+  return seconds_of([&] { marks.test_all(cells.crew, pairs, boxes); }) / static_cast<double>(pairs.size());
 }
 
 /// Nanoseconds to compare a box of a cell with another one, by the best kernels.
@@ -116,13 +122,11 @@ double test_cost() {
   return 1e9 * seconds / kTimes / (kBoxes * (kBoxes - 1) / 2.0);
 }
 
-/// Nanoseconds to put one copy of a box into a cell: what is left of building cells without the comparisons.
+/// Nanoseconds to put one copy of a box into a cell, with the comparisons there: an upper bound.
 double copy_cost() {
-  constexpr std::size_t kCopies = 7;  // of the counters: boxes in cells
-  const auto source = uniform(100'000, 0);
-  Broadphase broadphase = one_thread();
-  if (!report::insert_all(broadphase, *source).ok() || !broadphase.update()) return 0;
-  return 1e9 * seconds_of_phase(broadphase, "cells") / static_cast<double>(counter_of(broadphase, kCopies));
+  Cells cells(100'000);
+  cells.build_seconds();
+  return 1e9 * cells.build_seconds() / static_cast<double>(cells.tree.copies());
 }
 
 /// Seconds until threads that were not there have done their first job, and to hand them another one.
@@ -173,8 +177,8 @@ void register_row(const std::string& name, double in_code, const std::function<d
 void register_tuning_suite() {
   register_row("kMoveGuess", tuning::kMoveGuess, move_cost);
   register_row("kFullGuess", tuning::kFullGuess, full_cost);
-  register_row("kPartialGuess", tuning::kPartialGuess, [] { return change_costs().change; });
-  register_row("kTestGuess", tuning::kTestGuess, [] { return change_costs().test; });
+  register_row("kPartialGuess", tuning::kPartialGuess, change_cost);
+  register_row("kTestGuess", tuning::kTestGuess, candidate_cost);
   register_row("kTestCost", tuning::kTestCost, test_cost);
   register_row("kCopyCost", tuning::kCopyCost, copy_cost);
   register_row("kStartCost", tuning::kStartCost, [] { return thread_costs().start; });

@@ -97,8 +97,9 @@ class CELLSWEEP_API Broadphase final {
   /// only looks at what changed. May throw std::bad_alloc.
   std::span<const Pair> pairs() const;
 
-  /// Copies the boxes as of the last update() into the caller's `boxes`: what was given, made canonical.
-  /// Errors: bad_input (spans of different length), unknown_body for one that no update() has seen.
+  /// Copies the boxes as of the last update() into the caller's `boxes`: what was given, made canonical; also
+  /// of bodies removed since. Errors: bad_input (spans of different length), unknown_body for one that the
+  /// last update() did not see.
   Status boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const;
 
   /// Bodies held now, whether or not update() has seen them.

@@ -108,17 +108,19 @@ Result<PairChanges> Broadphase::Impl::update_now() {
   statistics_.bytes = 0;
   const auto found = engine_->update(anew ? bodies_.all_as_new() : attempt.changes(), statistics_);
   if (!found) return found.status();
-  ++statistics_.updates;
   if (!anew && attempt.changes().none() && found->none()) {
     attempt.succeed();
+    bodies_.commit();
+    ++statistics_.updates;
     statistics_.bytes += bytes_;
     return pairs_.commit_nothing();
   }
   name_changes(*found);
-  if (anew || found->is_whole_set) pairs_.compare_with_whole_set();
+  if (anew || found->is_whole_set) pairs_.compare_with_whole_set(bodies_.removed_ids());
   attempt.succeed();
   engine_is_lost_ = false;
   bodies_.commit();
+  ++statistics_.updates;
   const PairChanges changes = pairs_.commit();
   bytes_ = bodies_.bytes() + order_.bytes() + pairs_.bytes();
   statistics_.bytes += bytes_;

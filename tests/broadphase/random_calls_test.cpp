@@ -166,7 +166,7 @@ class Rooms {
   void hand_over_all() {
     order_.name_pairs(crew_, bodies_.table(), engine_.all(), {}, set_.next_began());
     order_.name_pairs(crew_, bodies_.table(), {}, {}, set_.next_ended());
-    set_.compare_with_whole_set();
+    set_.compare_with_whole_set(bodies_.removed_ids());
   }
 
   void hand_over_changes(bool in_parts) {

@@ -102,6 +102,7 @@ class CheckedEngine {
   testing::AssertionResult bodies_are_kept() const;
   testing::AssertionResult boxes_are_kept();
   testing::AssertionResult ids_are_right(const std::vector<BodyId>& ids) const;
+  void count_bodies(std::size_t more);
   testing::AssertionResult answer_is(const Answer& expected) const;
   testing::AssertionResult same(const char* what, const std::vector<Pair>& given,
                                 const std::vector<Pair>& expected) const;
@@ -114,7 +115,10 @@ class CheckedEngine {
   std::function<void(bool)> around_;
   int failures_ = 0;
   Model model_;
-  Answer answer_;  ///< copies of what was given
+  std::size_t removed_ = 0;      // since the last update, those that none has seen among them
+  std::size_t most_bodies_ = 0;  // at a time, the removed ones among them
+  bool own_ids_ = false;         // the caller chose some
+  Answer answer_;                ///< copies of what was given
   /// The memory that was handed out, valid until the next update().
   std::optional<PairChanges> handed_;
   std::optional<std::span<const Pair>> handed_pairs_;

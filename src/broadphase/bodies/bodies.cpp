@@ -13,14 +13,29 @@
 namespace cellsweep {
 namespace {
 
-Status find_unseen(std::span<const BodyId> ids, const auto& is_unseen) {
-  std::vector<BodyId> bad;
-  std::copy_if(ids.begin(), ids.end(), std::back_inserter(bad), is_unseen);
-  if (bad.empty()) return {};
-  return Status::bad_bodies(StatusCode::unknown_body,
-                            text("No update has seen body ", bad.front(), " yet, so that it has no box."),
-                            bad);
-}
+/// Bodies as the last update saw them, whatever became of their ids since.
+class SeenBodies {
+ public:
+  SeenBodies(const IdTable& table, const Vector<BodyState>& states, std::span<const ChangedBody> removed)
+      : table_(table), states_(states) {
+    gone_.reserve(removed.size());
+    for (const ChangedBody& body : removed) gone_.emplace_back(table.id(body.slot), body.slot);
+    std::sort(gone_.begin(), gone_.end());
+  }
+
+  /// The slot that the body of that id had, or kNoSlot.
+  Slot find(BodyId id) const {
+    const Slot slot = table_.find(id);
+    if (slot != kNoSlot && states_[slot] != kInserted) return slot;
+    const auto found = std::lower_bound(gone_.begin(), gone_.end(), std::pair(id, Slot{0}));
+    return found != gone_.end() && found->first == id ? found->second : kNoSlot;
+  }
+
+ private:
+  const IdTable& table_;
+  const Vector<BodyState>& states_;
+  std::vector<std::pair<BodyId, Slot>> gone_;
+};
 
 }  // namespace
 
@@ -198,11 +213,19 @@ void Bodies::forget_move(BodyState state) {
 
 Status Bodies::boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const {
   if (ids.size() != boxes.size()) return length_status(ids.size(), boxes.size());
-  if (Status status = find_unknown(table_, ids); !status.ok()) return status;
-  const auto is_unseen = [&](BodyId id) { return states_[table_.find(id)] == kInserted; };
+  const SeenBodies seen(table_, states_, removed_.view());
+  const auto is_unseen = [&](BodyId id) { return seen.find(id) == kNoSlot; };
   if (Status status = find_unseen(ids, is_unseen); !status.ok()) return status;
-  for (std::size_t i = 0; i < ids.size(); ++i) boxes[i] = boxes_[table_.find(ids[i])];
+  for (std::size_t i = 0; i < ids.size(); ++i) boxes[i] = boxes_[seen.find(ids[i])];
   return {};
+}
+
+std::vector<BodyId> Bodies::removed_ids() const {
+  std::vector<BodyId> ids;
+  ids.reserve(removed_.size());
+  for (const ChangedBody& body : removed_.view()) ids.push_back(table_.id(body.slot));
+  std::sort(ids.begin(), ids.end());
+  return ids;
 }
 
 void Bodies::swap_boxes() {

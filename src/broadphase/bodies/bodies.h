@@ -44,6 +44,9 @@ class Bodies {
   /// Between begin_update() and its end.
   BodyChanges all_as_new();
 
+  /// Of the bodies of the last update that are gone, ascending.
+  std::vector<BodyId> removed_ids() const;
+
   /// Numbers slots anew when most are free; true when it did. All engines must begin anew then. Between
   /// updates, and only when nothing waits.
   bool tidy();

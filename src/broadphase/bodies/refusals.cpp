@@ -76,6 +76,10 @@ Status find_unknown(const IdTable& table, std::span<const BodyId> ids) {
                 all_where(ids, [&](BodyId id) { return table.find(id) == kNoSlot; }), "not in the engine");
 }
 
+Status find_unseen(std::span<const BodyId> ids, const std::function<bool(BodyId)>& is_unseen) {
+  return refuse(StatusCode::unknown_body, all_where(ids, is_unseen), "unknown to the last update");
+}
+
 Status find_held(const IdTable& table, std::span<const BodyId> ids) {
   return refuse(StatusCode::duplicate_body,
                 all_where(ids, [&](BodyId id) { return table.find(id) != kNoSlot; }),

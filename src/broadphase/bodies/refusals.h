@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 
 #include "broadphase/bodies/id_table.h"
@@ -20,6 +21,9 @@ Status find_invalid_boxes(std::span<const BodyId> ids, std::span<const Aabb> box
 
 /// All ids that are not in the table, or an ok status.
 Status find_unknown(const IdTable& table, std::span<const BodyId> ids);
+
+/// All ids of which `is_unseen` says that no update has seen their bodies, or an ok status.
+Status find_unseen(std::span<const BodyId> ids, const std::function<bool(BodyId)>& is_unseen);
 
 /// All ids that are in the table already, or an ok status.
 Status find_held(const IdTable& table, std::span<const BodyId> ids);

@@ -44,8 +44,9 @@ class RunCopy {
 
 }  // namespace
 
-void find_changes(std::span<const Pair> old, std::span<const Pair> now, Array<Pair>& began_list,
-                  Array<Pair>& ended_list) {
+void find_changes(std::span<const Pair> old, std::span<const Pair> now, std::span<const BodyId> gone,
+                  Array<Pair>& began_list, Array<Pair>& ended_list) {
+  const auto is_gone = [&](BodyId id) { return std::binary_search(gone.begin(), gone.end(), id); };
   began_list.renew(now.size());
   ended_list.renew(old.size());
   Pair* began = began_list.data();
@@ -56,8 +57,9 @@ void find_changes(std::span<const Pair> old, std::span<const Pair> now, Array<Pa
     const std::uint64_t after = pair_key(now[j]);
     *ended = old[i];
     *began = now[j];
-    ended += before < after ? 1 : 0;
-    began += after < before ? 1 : 0;
+    const bool other = before == after && !gone.empty() && (is_gone(old[i].a) || is_gone(old[i].b));
+    ended += before < after || other ? 1 : 0;
+    began += after < before || other ? 1 : 0;
     i += before <= after ? 1 : 0;
     j += after <= before ? 1 : 0;
   }
@@ -97,9 +99,9 @@ void PairSet::note_changes() const {
   for (const Pair& pair : began_.view()) notes_.push({pair_key(pair), true});
 }
 
-void PairSet::compare_with_whole_set() {
+void PairSet::compare_with_whole_set(std::span<const BodyId> gone) {
   std::swap(whole_, next_began_);
-  find_changes(pairs(), whole_.view(), next_began_, next_ended_);
+  find_changes(pairs(), whole_.view(), gone, next_began_, next_ended_);
 }
 
 PairChanges PairSet::commit() {

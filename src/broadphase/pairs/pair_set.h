@@ -26,8 +26,9 @@ class PairSet {
   Array<Pair>& next_began() { return next_began_; }
   Array<Pair>& next_ended() { return next_ended_; }
 
-  /// Turns a whole set in next_began(), ascending, into what differs from the pairs of now.
-  void compare_with_whole_set();
+  /// Turns a whole set in next_began(), ascending, into what differs from the pairs of now. Pairs of bodies
+  /// that are gone, ascending, end though others of their ids are in the set.
+  void compare_with_whole_set(std::span<const BodyId> gone);
 
   /// What was written is what changed last. Cannot fail.
   PairChanges commit();
@@ -66,8 +67,8 @@ class PairSet {
   mutable std::mutex mutex_;
 };
 
-/// What differs between two ascending lists.
-void find_changes(std::span<const Pair> old, std::span<const Pair> now, Array<Pair>& began,
-                  Array<Pair>& ended);
+/// What differs between two ascending lists. Pairs of bodies that are gone, ascending, differ from all.
+void find_changes(std::span<const Pair> old, std::span<const Pair> now, std::span<const BodyId> gone,
+                  Array<Pair>& began, Array<Pair>& ended);
 
 }  // namespace cellsweep

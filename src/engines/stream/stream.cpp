@@ -142,7 +142,7 @@ FoundPairs Stream::find_changed(const BodyChanges& changes, Clock::time_point st
   const auto count = static_cast<double>(fat_boxes_.changes().size());
   changed_ += fat_boxes_.changes().size();
   const SlotPairChanges of_candidates = candidates_.change(crew_, cells_.began(), cells_.ended());
-  timer.lap("candidates");
+  timer.lap("sort");
   partial_cost_.learn(seconds_since(start) * crew_.active() / count);
   if (candidates_are_pairs_) return {.began = of_candidates.began, .ended = of_candidates.ended};
   return test_candidates(changes, of_candidates, timer);
@@ -176,7 +176,7 @@ FoundPairs Stream::find_all(const BodyChanges& changes, Clock::time_point start,
   const bool in_order = !candidates_are_pairs_ || pairs_ > 0;
   if (in_order) {
     candidates_.pairs(crew_);
-    timer.lap("candidates");
+    timer.lap("sort");
   }
   full_cost_.learn(seconds_since(start) * crew_.active() / static_cast<double>(bodies_));
   if (!in_order) return {.more_began = cells_.found()};

@@ -40,7 +40,7 @@ PairChanges update_to(PairSet& set, const Pairs& all) {
   set.remember_changes();
   write(all, set.next_began());
   write({}, set.next_ended());
-  set.compare_with_whole_set();
+  set.compare_with_whole_set({});
   return set.commit();
 }
 
@@ -82,7 +82,7 @@ TEST(PairSet, ShowsNothingOfAnUpdateThatDoesNotComeToItsEnd) {
     write({{5, 6}}, set.next_began());
     write({{1, 2}}, set.next_ended());
     EXPECT_THAT(set.pairs(), ElementsAre(Pair{1, 2}, Pair{3, 4}));
-    set.compare_with_whole_set();
+    set.compare_with_whole_set({});
     EXPECT_THAT(set.pairs(), ElementsAre(Pair{1, 2}, Pair{3, 4}));
   }
   update(set, {{7, 8}}, {});
@@ -335,7 +335,7 @@ TEST(FindChanges, TellsWhatDiffersBetweenTwoLists) {
   Array<Pair> began;
   Array<Pair> ended;
   const auto expect = [&](const Pairs& old, const Pairs& now, const Pairs& in_began, const Pairs& in_ended) {
-    find_changes(old, now, began, ended);
+    find_changes(old, now, {}, began, ended);
     EXPECT_TRUE(std::ranges::equal(began.view(), in_began));
     EXPECT_TRUE(std::ranges::equal(ended.view(), in_ended));
   };
@@ -346,6 +346,17 @@ TEST(FindChanges, TellsWhatDiffersBetweenTwoLists) {
   expect(some, {}, {}, some);
   expect(some, {{0, 2}, {2, 3}, {5, 6}}, {{0, 2}, {5, 6}}, {{0, 1}, {2, 0xffffffff}});
   expect({{9, 10}}, {{1, 2}}, {{1, 2}}, {{9, 10}});
+}
+
+TEST(FindChanges, PairsOfBodiesThatAreGoneEndAndBeginThoughTheyAreInBothLists) {
+  Array<Pair> began;
+  Array<Pair> ended;
+  const std::vector<Pair> pairs = {{1, 2}, {2, 3}, {3, 4}, {4, 5}};
+  const std::vector<BodyId> gone = {2, 5};
+  find_changes(pairs, pairs, gone, began, ended);
+  const std::vector<Pair> expected = {{1, 2}, {2, 3}, {4, 5}};
+  EXPECT_TRUE(std::ranges::equal(began.view(), expected));
+  EXPECT_TRUE(std::ranges::equal(ended.view(), expected));
 }
 
 }  // namespace

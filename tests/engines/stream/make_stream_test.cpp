@@ -1,6 +1,6 @@
 /// @file
 /// Broadphases made of engine `stream`: which options are refused, and who runs the tasks.
-#include "engines/stream/make_stream.h"
+#include "cellsweep/engine/piece_finder.h"
 
 #include <gmock/gmock.h>
 
@@ -41,6 +41,7 @@ class CountingFinder final : public PieceFinder {
  public:
   explicit CountingFinder(bool fails) : fails_(fails) {}
 
+  void begin_update() override {}
   void find(std::span<const CellBoxes> cells, KeyBuffer&) override {
     if (fails_) throw PieceFailure{Status::spe_failed("The finder is told to fail.")};
     for (const CellBoxes& cell : cells) boxes_ += cell.count;
