@@ -136,15 +136,13 @@ class Rooms {
     }
     if (is_lost_) changes = bodies_.all_as_new();
     engine_.take(changes);
-    // All pairs are known by their ids alone: which of them are of bodies that were replaced is not.
-    const bool replaced = std::ranges::any_of(gone_, [&](BodyId id) { return held_.contains(id); });
-    if (is_lost_ || (way == Way::whole_set && !replaced)) {
+    if (is_lost_ || way == Way::whole_set) {
       hand_over_all();
     } else {
       hand_over_changes(way == Way::changes_in_parts);
     }
     bodies_.commit();
-    expect_changes(set_.commit(), is_lost_);
+    expect_changes(set_.commit());
     is_lost_ = bodies_.tidy();
     tidied_ += is_lost_ ? 1 : 0;
     if (is_lost_) engine_.forget();
@@ -181,7 +179,7 @@ class Rooms {
     order_.name_pairs(crew_, bodies_.table(), engine_.ended(), {}, set_.next_ended());
   }
 
-  void expect_changes(const PairChanges& changes, bool by_id_alone) {
+  void expect_changes(const PairChanges& changes) {
     std::set<Pair> now;
     for (auto one = held_.begin(); one != held_.end(); ++one) {
       for (auto other = std::next(one); other != held_.end(); ++other) {
@@ -190,8 +188,7 @@ class Rooms {
     }
     std::vector<Pair> kept;
     std::ranges::set_intersection(pairs_, now, std::back_inserter(kept));
-    if (!by_id_alone)
-      std::erase_if(kept, [&](const Pair& pair) { return gone_.contains(pair.a) || gone_.contains(pair.b); });
+    std::erase_if(kept, [&](const Pair& pair) { return gone_.contains(pair.a) || gone_.contains(pair.b); });
     std::vector<Pair> began;
     std::vector<Pair> ended;
     std::ranges::set_difference(now, kept, std::back_inserter(began));
