@@ -6,6 +6,7 @@ packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev n
 packages_to_draw=(gnuplot-nox)
 packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev)
 packages_for_clang=(clang libclang-rt-14-dev)
+packages_for_style=(clang-format clang-tidy)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev)
 packages_for_cgal=(libcgal-dev libtbb-dev)
 packages_for_blade=(g++-powerpc64-linux-gnu qemu-user googletest)

@@ -14,7 +14,7 @@
 namespace cellsweep {
 
 /// Admission, engine and pairs. Everything that can fail happens before anything shows.
-class Broadphase::Impl {
+class [[gnu::visibility("hidden")]] Broadphase::Impl {
  public:
   Impl(HandleParts parts, std::unique_ptr<Engine> engine, std::shared_ptr<Timeline> timeline)
       : parts_(std::move(parts)),

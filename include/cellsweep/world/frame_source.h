@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cellsweep/aabb.h"
+#include "cellsweep/export.h"
 #include "cellsweep/pair.h"
 #include "cellsweep/pose.h"
 
@@ -14,7 +15,7 @@ namespace cellsweep {
 
 /// A sequence of frames over a fixed set of bodies with ids 0 … n − 1. It stands at frame 0 when it is made.
 /// One thread at a time.
-class FrameSource {
+class CELLSWEEP_API FrameSource {
  public:
   virtual ~FrameSource() = default;
 

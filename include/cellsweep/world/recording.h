@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cellsweep/aabb.h"
+#include "cellsweep/export.h"
 #include "cellsweep/status.h"
 #include "cellsweep/world/frame_source.h"
 
@@ -35,23 +36,23 @@ struct Recording {
 /// frames, two int32 zeros, world box; then 1 + frames frames of boxes; a box is 8 floats: min xyz, 0, max
 /// xyz, 0. Errors: bad_input naming the byte offset for a file that is too short, too long, whose header
 /// lies, or that holds a box which is not finite with min <= max. Allocates no more than the file's own size.
-Result<Recording> parse_aabbs(std::span<const std::byte> file);
+CELLSWEEP_API Result<Recording> parse_aabbs(std::span<const std::byte> file);
 
 /// Reads NumPy's .npy of shape (frames, bodies, 6) — min xyz, max xyz — of float32 or float64 in C order;
 /// float64 is rounded to nearest. The world is the bounds of all boxes. Errors: as parse_aabbs().
-Result<Recording> parse_npy(std::span<const std::byte> file);
+CELLSWEEP_API Result<Recording> parse_npy(std::span<const std::byte> file);
 
 /// Reads a file by its ending, .aabbs or .npy. Errors: bad_input, with the path in front.
-Result<Recording> read_recording(const std::filesystem::path& path);
+CELLSWEEP_API Result<Recording> read_recording(const std::filesystem::path& path);
 
 /// Writes a file by its ending, .aabbs or .npy (float32), whole or not at all. Errors: bad_input for another
 /// ending, a name too long, no frames, or a disk that says no.
-Status write_recording(const Recording& recording, const std::filesystem::path& path);
+CELLSWEEP_API Status write_recording(const Recording& recording, const std::filesystem::path& path);
 
 /// Stores what a source gives: frame 0 and up to `updates` more.
-Recording record(FrameSource& source, std::size_t updates, const Aabb& world);
+CELLSWEEP_API Recording record(FrameSource& source, std::size_t updates, const Aabb& world);
 
 /// The frames of a recording. `moved()` lists the bodies whose six numbers differ from the frame before.
-std::unique_ptr<FrameSource> make_recording_frames(Recording recording);
+CELLSWEEP_API std::unique_ptr<FrameSource> make_recording_frames(Recording recording);
 
 }  // namespace cellsweep

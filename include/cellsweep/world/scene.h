@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "cellsweep/export.h"
 #include "cellsweep/status.h"
 #include "cellsweep/world/frame_source.h"
 #include "cellsweep/world/world.h"
@@ -32,13 +33,13 @@ struct SceneInfo {
 };
 
 /// All scenes.
-std::span<const SceneInfo> scene_table();
+CELLSWEEP_API std::span<const SceneInfo> scene_table();
 
 /// The world of a scene at frame 0. Errors: bad_option for a name that is not in the table, a moving share
 /// outside 0 to 1, a speed outside 0 to 1,000,000, or more bodies than 32-bit ids name.
-Result<World> make_scene(const SceneSettings& settings);
+CELLSWEEP_API Result<World> make_scene(const SceneSettings& settings);
 
 /// The frames of a scene; it never ends. Errors: those of make_scene().
-Result<std::unique_ptr<FrameSource>> make_scene_frames(const SceneSettings& settings);
+CELLSWEEP_API Result<std::unique_ptr<FrameSource>> make_scene_frames(const SceneSettings& settings);
 
 }  // namespace cellsweep

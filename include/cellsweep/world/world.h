@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cellsweep/aabb.h"
+#include "cellsweep/export.h"
 #include "cellsweep/pair.h"
 #include "cellsweep/status.h"
 
@@ -19,7 +20,7 @@ namespace cellsweep {
 using Color = std::array<float, 3>;
 
 /// A solid box that owns its bounding box (W1). Lengths in world units, velocities per frame.
-struct RigidBody {
+struct CELLSWEEP_API RigidBody {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< the centre
   Eigen::Vector3f half_extents = Eigen::Vector3f::Constant(0.5F);
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
@@ -43,7 +44,7 @@ struct WorldColors {
 
 /// Bodies with ids, inside six planes that turn them back (W3). The same calls give the same bits on every
 /// machine: only + − × ÷ √ on floats, in a fixed order. One thread at a time.
-class World {
+class CELLSWEEP_API World {
  public:
   /// A world with the given bounds, empty. Bounds stop no body from being added outside of them.
   explicit World(const Aabb& bounds, const WorldColors& colors = {});

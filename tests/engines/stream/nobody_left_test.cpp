@@ -69,8 +69,7 @@ TEST_P(NobodyLeft, EveryPairEndsAndTheMemoryGoesBack) {
   remove_all();
   EXPECT_EQ(ended_, 1U);
   EXPECT_GT(pairs, 10'000U / kScale);
-  EXPECT_LE(statistics_.bytes, 200'000U * GetParam())
-      << "a little is kept for each worker, whatever the world";
+  EXPECT_LE(statistics_.bytes, 450'000U + 50'000U * GetParam()) << "a little is kept, whatever the world";
 }
 
 INSTANTIATE_TEST_SUITE_P(Workers, NobodyLeft, testing::Values(1U, 3U));
