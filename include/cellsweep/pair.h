@@ -19,6 +19,7 @@ struct Pair {
   BodyId a = 0;
   BodyId b = 0;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): the comparison that is generated has no pointer in it.
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 

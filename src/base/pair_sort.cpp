@@ -154,7 +154,7 @@ class Distribution {
   void count(unsigned worker) {
     std::array<std::size_t, kBuckets> counts{};
     for_each_key(worker, [&](Key key) { ++counts[bucket_of(key)]; });
-    std::copy(counts.begin(), counts.end(), counts_.begin() + worker * kBuckets);
+    std::copy(counts.begin(), counts.end(), counts_.data() + worker * kBuckets);
   }
 
   void make_prefix_sums() {
@@ -173,7 +173,7 @@ class Distribution {
 
   void distribute(unsigned worker) {
     std::array<std::size_t, kBuckets> place{};
-    std::copy_n(counts_.begin() + worker * kBuckets, kBuckets, place.begin());
+    std::copy_n(counts_.data() + worker * kBuckets, kBuckets, place.begin());
     Key* const keys = scratch_.data();
     for_each_key(worker, [&](Key key) { keys[place[bucket_of(key)]++] = key; });
   }

@@ -27,6 +27,7 @@ struct SlotPair {
   Slot a = 0;
   Slot b = 0;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): the comparison that is generated has no pointer in it.
   friend auto operator<=>(const SlotPair&, const SlotPair&) = default;
 };
 

@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr Capacity kFewBodies = {15, "few", "of the test"};
+const Capacity kFewBodies = {15, "few", "of the test"};
 
 /// Bodies 0 ... 9 but for 3 and 4; an update has seen all but 8 and 9, of which 9 is in a slot that was free.
 class RefusedCall : public testing::TestWithParam<unsigned> {

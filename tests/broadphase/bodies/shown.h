@@ -19,7 +19,7 @@ namespace cellsweep {
 
 using Ids = std::vector<BodyId>;
 
-inline constexpr Capacity kAnyNumber = {kSlotMask, "", "of the test"};
+inline const Capacity kAnyNumber = {kSlotMask, "", "of the test"};
 
 /// A box with edge 1 whose lower corner is at (x, 0, 0).
 inline Aabb box_at(float x) {

@@ -51,7 +51,7 @@ Status check(const CellPaperOptions& options) {
 
 std::vector<LocalStorePart> paper_buffers(const CellPaperOptions& options, std::uint64_t bodies) {
   const std::uint64_t endpoints = lines((2 * bodies + kLanes - 1) / kLanes * kLanes * 4);
-  const std::uint64_t stream = 2 * (options.list_dma ? kListBytes + kDmaAlign : kChunkBytes);
+  const std::uint64_t stream = std::uint64_t{2} * (options.list_dma ? kListBytes + kDmaAlign : kChunkBytes);
   std::vector<LocalStorePart> parts = {{"job and result", sizeof(PaperJob) + sizeof(PaperResult)},
                                        {"values", endpoints},
                                        {"ids", endpoints},
