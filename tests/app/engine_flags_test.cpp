@@ -87,7 +87,8 @@ TEST(EngineFlags, LeaveOutOfTheWholeTableWhatDoesNotHoldTheBodiesAndSaySo) {
   const CommandResult result = run_command("simulate --bodies 5000 --frames 1 --moving 0.01 --json");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.errors, HasSubstr("Engine control is left out: it holds 4,096 bodies"));
-  for (const Json& engine : Json::parse(result.output)["engines"]) EXPECT_NE(engine["engine"], "control");
+  const Json report = Json::parse(result.output);
+  for (const Json& engine : report["engines"]) EXPECT_NE(engine["engine"], "control");
 }
 
 TEST(EngineFlags, LeaveOutTheOracleWhereItWouldTakeLongUnlessItIsAskedFor) {
