@@ -95,7 +95,7 @@ TEST_P(CellTreeTest, FindsEachPairOnceOnEveryKindOfBoxes) {
 }
 
 TEST_P(CellTreeTest, CutsALargeWorldIntoPieces) {
-  build(uniform_boxes(8000 / kScale, 1));
+  build(uniform_boxes(8000, 1));
   EXPECT_GT(tree_.pieces(), 50U);
   EXPECT_GE(tree_.copies(), boxes_.size());
   EXPECT_LE(tree_.copies(), 8 * boxes_.size());
@@ -103,7 +103,7 @@ TEST_P(CellTreeTest, CutsALargeWorldIntoPieces) {
 }
 
 TEST_P(CellTreeTest, GivesMemoryBackWhenItIsBuiltForFew) {
-  build(uniform_boxes(8000 / kScale, 1));
+  build(uniform_boxes(8000, 1));
   const std::size_t full = tree_.bytes();
   build(uniform_boxes(20, 1));
   build(uniform_boxes(20, 1));
