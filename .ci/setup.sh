@@ -4,8 +4,9 @@
 packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev nlohmann-json3-dev libgtest-dev
   libgmock-dev libbenchmark-dev libembree-dev libpng-dev libglfw3-dev libepoxy-dev libimgui-dev)
 packages_to_draw=(gnuplot-nox)
-packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core)
+packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev)
 packages_for_clang=(clang libclang-rt-14-dev)
+packages_for_style=(clang-format clang-tidy)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev)
 packages_for_cgal=(libcgal-dev libtbb-dev)
 packages_for_blade=(g++-powerpc64-linux-gnu qemu-user googletest)
@@ -18,7 +19,8 @@ explain_other_systems() {
   say "  $*"
   say "that is: a C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, CLI11 2.1, nlohmann-json 3.11, GoogleTest 1.12 and"
   say "Google Benchmark 1.7; for pictures Embree 3 and libpng, for the window GLFW 3.3, libepoxy and Dear ImGui,"
-  say "for figures gnuplot, for the window's tests Xvfb. Then run again with CELLSWEEP_SKIP_PACKAGES=1 in the environment."
+  say "for figures gnuplot, for the window's tests Xvfb, for those of job systems oneTBB. Then run again with"
+  say "CELLSWEEP_SKIP_PACKAGES=1 in the environment."
 }
 
 is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed'; }
@@ -38,7 +40,7 @@ install_packages() {
     say "  sudo apt-get install ${missing[*]}"
     return 1
   fi
-  say "installing: ${missing[*]}"
+  say "installing ${#missing[@]} packages: ${missing[*]}"
   apt-get update -qq >&2 &&
     DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
 }
@@ -48,16 +50,26 @@ spu_compiler() {
   echo "${SPU_EMU_TOOLCHAIN_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/cellsweep/spu-elf}/complete"
 }
 
-# build_preset PRESET [TARGET...]: configures once, then builds; says nothing when there is nothing to do.
+# say_steps PRESET TARGET...: how much there is to build, unless it is done before it is read.
+say_steps() {
+  local steps
+  steps=$(ninja -C "build/$1" -n "${@:2}" | sed -n '$s/^\[[0-9]*\/\([0-9]*\)\].*/\1/p')
+  if [ "${steps:-0}" -ge 10 ]; then say "building in build/$1: $steps steps on $(nproc) cores"; fi
+}
+
+# build_preset PRESET [TARGET...]: configures once, then builds; says little when there is little to do. Ninja shows how
+# far it is where somebody watches.
 build_preset() {
   local preset=$1
   shift
   # Again when the SPU compiler came later: SPU programs are then built twice.
   if [ ! -f "build/$preset/build.ninja" ] || [ "$(spu_compiler)" -nt "build/$preset/build.ninja" ]; then
+    say "configuring build/$preset"
     cmake --preset "$preset" >&2 || return 1
   fi
   local quiet=(--quiet)
   [ -t 2 ] && quiet=()
   if [ $# -eq 0 ]; then set -- all; fi
+  say_steps "$preset" "$@"
   ninja -C "build/$preset" "${quiet[@]}" "$@" >&2
 }

@@ -12,62 +12,43 @@ namespace {
 
 constexpr std::array<std::size_t, 2> kBodies = {256, 1024};
 
+/// Settings that differ from the defaults, by the name of their rows.
 struct Setting {
   std::string name;
-  EngineOptions options;
+  SettingValues values;
 };
 
-/// A setting that differs from the defaults in one member.
-template <class Value>
-Setting with(std::string name, Value EngineOptions::*member, Value value) {
-  Setting setting{std::move(name), {}};
-  setting.options.*member = value;
-  return setting;
-}
-
 std::vector<Setting> settings_of(std::string_view engine) {
-  std::vector<Setting> settings = {
-      {"default", {}},
-      with("isa", &EngineOptions::spe_engine, SpeEngine::isa),
-      with("dma_late", &EngineOptions::dma, DmaMode::late),
-      with("dma_unchecked", &EngineOptions::dma, DmaMode::unchecked),
-      with("local_store_128K", &EngineOptions::local_store_bytes, std::uint64_t{128} << 10),
-      with("local_store_1M", &EngineOptions::local_store_bytes, std::uint64_t{1} << 20),
-      with("local_store_off", &EngineOptions::local_store_bytes, std::uint64_t{0}),
-      with("trace", &EngineOptions::trace_file, std::string("/dev/null"))};
+  std::vector<Setting> settings = {{"default", {}},
+                                   {"isa", {{"spe_engine", "isa"}}},
+                                   {"dma_late", {{"dma", "late"}}},
+                                   {"dma_unchecked", {{"dma", "unchecked"}}},
+                                   {"local_store_128K", {{"local_store", std::to_string(128 << 10)}}},
+                                   {"local_store_1M", {{"local_store", std::to_string(1 << 20)}}},
+                                   {"local_store_off", {{"local_store", "0"}}},
+                                   {"trace", {{"trace", "/dev/null"}}}};
   if (engine == "cell-paper") {
-    settings.push_back(with("method_2", &EngineOptions::method, 2U));
-    settings.push_back(with("list_dma", &EngineOptions::list_dma, true));
-    Setting both = with("method_2_list_dma", &EngineOptions::method, 2U);
-    both.options.list_dma = true;
-    settings.push_back(both);
-    settings.push_back(with("literal", &EngineOptions::literal, true));
+    settings.push_back({"method_2", {{"method", "2"}}});
+    settings.push_back({"list_dma", {{"list_dma", "true"}}});
+    settings.push_back({"method_2_list_dma", {{"method", "2"}, {"list_dma", "true"}}});
+    settings.push_back({"literal", {{"literal", "true"}}});
     return settings;
   }
-  if (engine == "cell-resident") settings.push_back(with("spu_boxes", &EngineOptions::spu_boxes, true));
-  for (const unsigned spus : {1U, 2U, 6U}) {
-    settings.push_back(with("spus_" + std::to_string(spus), &EngineOptions::spus, spus));
-  }
+  if (engine == "cell-resident") settings.push_back({"spu_boxes", {{"spu_boxes", "true"}}});
+  for (const std::string spus : {"1", "2", "6"}) settings.push_back({"spus_" + spus, {{"spus", spus}}});
   return settings;
 }
 
-/// On its own vectors, and through local stores: what that discipline costs.
-std::vector<Setting> settings_of_stream() {
-  Setting isa = with("on_spes_isa", &EngineOptions::on_spes, true);
-  isa.options.spe_engine = SpeEngine::isa;
-  return {{"default", {}}, with("on_spes", &EngineOptions::on_spes, true), isa};
-}
-
 // Settings that an engine refuses, and sizes beyond its capacity, have no row.
-void register_rows(const std::string& engine, const Setting& setting) {
-  const auto sample = make_engine(engine, setting.options);
+void register_rows(const std::string& engine, const SettingValues& values, const std::string& name) {
+  const auto sample = make_broadphase(engine, values);
   if (!sample) return;
   for (const std::size_t bodies : kBodies) {
-    if (bodies > (*sample)->capacity().bodies) continue;
+    if (bodies > sample->capacity().bodies) continue;
     for (const ModeInfo& mode : kModes) {
       register_engine_row(
-          "cell/" + engine + "/" + setting.name + "/" + std::to_string(bodies) + "/" + std::string(mode.name),
-          {engine, setting.options, SceneSettings{.bodies = bodies, .moving = mode.moving}, mode.mode});
+          "cell/" + name + "/" + std::to_string(bodies) + "/" + std::string(mode.name),
+          {engine, values, SceneSettings{.bodies = bodies, .moving = mode.moving}, mode.mode});
     }
   }
 }
@@ -75,13 +56,14 @@ void register_rows(const std::string& engine, const Setting& setting) {
 }  // namespace
 
 void register_cell_suite() {
-  for (const EngineInfo& engine : engine_table()) {
-    if (engine.name == "stream") {
-      for (const Setting& setting : settings_of_stream()) register_rows("stream", setting);
-    }
-    if (!engine.name.starts_with("cell-")) continue;
-    for (const Setting& setting : settings_of(engine.name)) register_rows(std::string(engine.name), setting);
+  for (const std::string engine : {"cell-paper", "cell-brute", "cell-resident"}) {
+    for (const Setting& setting : settings_of(engine))
+      register_rows(engine, setting.values, engine + "/" + setting.name);
   }
+  // On its own vectors, and through local stores: what that discipline costs.
+  register_rows("stream", {}, "stream/default");
+  register_rows("cell-stream", {}, "stream/on_spes");
+  register_rows("cell-stream", {{"spe_engine", "isa"}}, "stream/on_spes_isa");
 }
 
 }  // namespace cellsweep::bench

@@ -6,8 +6,8 @@
 namespace cellsweep::bench {
 
 /// Registers rows `cell/ENGINE/SETTING/N/MODE` of scene `paper`, each with one setting that is not the
-/// default, and `cell/ENGINE/default/N/MODE` to compare with; of engine `stream` only where its cells are
-/// compared.
+/// default, and `cell/ENGINE/default/N/MODE` to compare with; `cell/stream/on_spes` is engine `cell-stream`,
+/// and `cell/stream/on_spes_isa` the same as real SPU code.
 void register_cell_suite();
 
 }  // namespace cellsweep::bench

@@ -5,12 +5,11 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
-#include <functional>
 #include <string>
 #include <string_view>
 
 #include "cellsweep/engines.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 
 namespace cellsweep::bench {
 
@@ -30,13 +29,10 @@ inline constexpr std::array kModes = {
 /// What a row runs.
 struct EngineRow {
   std::string engine;
-  EngineOptions options;
+  SettingValues settings;
   SceneSettings scene;
   Mode mode = Mode::initial;
 };
-
-/// Seconds of handing something over and of the update after it, without phases marked as set-up.
-double seconds_of_frame(Broadphase& engine, const std::function<Status()>& hand_over);
 
 /// Registers a row under this name. It is compared with the oracle before it is timed and skipped with an
 /// error when they differ, but for rows of the document's literal logic. The time is that of handing over the

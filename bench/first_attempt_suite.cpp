@@ -8,7 +8,7 @@
 
 #include "bench/engine_row.h"
 #include "bench/first_attempt.h"
-#include "broadphase/brute_force.h"
+#include "report/oracle.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -38,7 +38,7 @@ void run_row(benchmark::State& state, std::size_t bodies, const ModeInfo& mode) 
     state.SetIterationTime(seconds_of_run(*attempt, *source));
     pairs = attempt->count_pairs();
   }
-  if (pairs != brute_force_pairs(source->boxes()).size())
+  if (pairs != report::oracle_pairs(source->boxes()).size())
     return state.SkipWithError("the pairs are not the oracle's");
   state.counters["pairs"] = static_cast<double>(pairs);
   state.counters["events"] = static_cast<double>(attempt->events());

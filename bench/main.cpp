@@ -10,6 +10,8 @@
 #include "bench/context.h"
 #include "bench/engine_suite.h"
 #include "bench/threads_suite.h"
+#include "bench/tuning_suite.h"
+#include "report/all_engines.h"
 #ifdef CELLSWEEP_CELL_ENGINES
 #include "bench/cell_suite.h"
 #include "bench/first_attempt_suite.h"
@@ -33,9 +35,11 @@ std::vector<char*> with_defaults(int argc, char** argv) {
 int main(int argc, char** argv) {
   std::vector<char*> arguments = with_defaults(argc, argv);
   int count = static_cast<int>(arguments.size());
+  cellsweep::report::add_all_engines();
   cellsweep::bench::add_context();
   cellsweep::bench::register_engine_suite();
   cellsweep::bench::register_threads_suite();
+  cellsweep::bench::register_tuning_suite();
 #ifdef CELLSWEEP_CELL_ENGINES
   cellsweep::bench::register_cell_suite();
   cellsweep::bench::register_first_attempt_suite();

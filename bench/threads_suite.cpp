@@ -14,7 +14,7 @@ constexpr std::array<unsigned, 6> kThreads = {0, 1, 2, 4, 8, 16};
 void register_row(std::size_t bodies, const ModeInfo& mode, unsigned threads) {
   EngineRow row;
   row.engine = "stream";
-  row.options.threads = threads;
+  row.settings = {{"threads", std::to_string(threads)}};
   row.scene.scene = "uniform";
   row.scene.bodies = bodies;
   row.scene.moving = mode.moving;

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <memory>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "bench/engine_row.h"
-#include "broadphase/brute_force.h"
+#include "report/all_engines.h"
+#include "report/frame_clock.h"
+#include "report/hand_over.h"
+#include "report/oracle.h"
 #include "report/quantile.h"
-#include "report/run_engine.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -21,10 +22,14 @@ constexpr std::size_t kBodies = 1024;
 constexpr std::size_t kUpdates = 1000;
 
 double longest_spu_us(const Broadphase& engine) {
-  for (const Counter& counter : engine.statistics().counters) {
-    if (counter.name == "longest spu of this update, ns") return static_cast<double>(counter.value) / 1000;
-  }
-  return 0;
+  const auto spes = report::statistics_of_spes(engine);
+  return spes ? 1000 * spes->longest_spu_ms : 0;
+}
+
+// Microseconds of handing over and update().
+double frame_us(Broadphase& engine, const std::function<Status()>& hand_over) {
+  const auto frame = report::time_frame(engine, hand_over);
+  return frame ? 1000 * frame->time.work_ms() : 0;
 }
 
 /// One run of an engine: times in microseconds.
@@ -40,8 +45,8 @@ struct Run {
 double initial_us(const std::string& name, const FrameSource& source) {
   std::vector<double> first;
   for (int i = 0; i < 9; ++i) {
-    auto engine = std::move(*make_engine(name));
-    first.push_back(1e6 * seconds_of_frame(*engine, [&] { return report::insert_all(*engine, source); }));
+    Broadphase engine = std::move(*make_broadphase(name));
+    first.push_back(frame_us(engine, [&] { return report::insert_all(engine, source); }));
   }
   return report::quantile(first, 0.5);
 }
@@ -49,21 +54,18 @@ double initial_us(const std::string& name, const FrameSource& source) {
 // The source stands still until the moving frames.
 Run run_engine_through(const std::string& name) {
   Run run;
-  auto engine = std::move(*make_engine(name));
+  Broadphase engine = std::move(*make_broadphase(name));
   auto source = std::move(*make_scene_frames({.bodies = kBodies, .moving = 0.1}));
   run.initial = initial_us(name, *source);
-  seconds_of_frame(*engine, [&] { return report::insert_all(*engine, *source); });
-  for (std::size_t i = 0; i < kUpdates; ++i)
-    run.still.push_back(1e6 * seconds_of_frame(*engine, [] { return Status{}; }));
+  frame_us(engine, [&] { return report::insert_all(engine, *source); });
+  for (std::size_t i = 0; i < kUpdates; ++i) run.still.push_back(frame_us(engine, report::hand_over_nothing));
   for (std::size_t i = 0; i < kUpdates; ++i) {
     source->advance();
-    run.moving.push_back(1e6 *
-                         seconds_of_frame(*engine, [&] { return report::move_changed(*engine, *source); }));
-    run.longest_spu = std::max(run.longest_spu, longest_spu_us(*engine));
+    run.moving.push_back(frame_us(engine, [&] { return report::move_changed(engine, *source); }));
+    run.longest_spu = std::max(run.longest_spu, longest_spu_us(engine));
   }
-  std::vector<Pair> pairs(engine->pairs().begin(), engine->pairs().end());
-  std::sort(pairs.begin(), pairs.end());
-  run.exact = pairs == brute_force_pairs(source->boxes());
+  const std::vector<Pair> truth = report::oracle_pairs(source->boxes());
+  run.exact = std::equal(engine.pairs().begin(), engine.pairs().end(), truth.begin(), truth.end());
   return run;
 }
 
@@ -97,7 +99,7 @@ void register_sizes_suite() {
     if (mode.mode == Mode::settled) continue;
     for (const std::size_t bodies : kSizes) {
       for (const std::string engine : kEngines) {
-        if (bodies > (*make_engine(engine))->capacity().bodies) continue;
+        if (bodies > make_broadphase(engine)->capacity().bodies) continue;
         register_engine_row("sizes/" + std::string(mode.name) + "/" + std::to_string(bodies) + "/" + engine,
                             {engine, {}, SceneSettings{.bodies = bodies, .moving = mode.moving}, mode.mode});
       }

@@ -1,5 +1,6 @@
 /// @file
-/// The suites behind the README's tables: whole runs of 1,000 frames, and which engine wins at which size.
+/// The suites behind the tables of docs/experiment.md: whole runs of 1,000 frames, and which engine wins at
+/// which size.
 #pragma once
 
 namespace cellsweep::bench {

@@ -9,8 +9,8 @@
 #include <thread>
 #include <type_traits>
 
+#include "base/inside_embree.h"
 #include "bench/peers/peer_table.h"
-#include "engines/embree/hand_over.h"
 
 namespace cellsweep::bench {
 namespace {

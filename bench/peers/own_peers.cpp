@@ -1,10 +1,13 @@
 /// @file
 /// The limit that memory sets, and the project's own engines as peers.
+#include <numeric>
 #include <utility>
 
 #include "bench/peers/grid_oracle.h"
 #include "bench/peers/peer_table.h"
 #include "cellsweep/engines.h"
+#include "report/all_engines.h"
+#include "world/random.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -29,66 +32,116 @@ class MemoryLimit final : public Peer {
 
 /// An engine of the engine table. Its list is there without a copy, and is copied all the same: the others
 /// write theirs into the caller's memory, too.
-class OwnEngine final : public Peer {
+class OwnEngine : public Peer {
  public:
-  OwnEngine(std::string_view name, EngineOptions options) : name_(name), options_(std::move(options)) {}
+  OwnEngine(std::string_view name, SettingValues settings) : name_(name), settings_(std::move(settings)) {}
 
   void prepare(const Stage& stage) override {
-    engine_ = std::move(*make_engine(name_, options_));
+    engine_ = std::move(*make_broadphase(name_, settings_));
     ids_.resize(stage.boxes.size());
     for (std::size_t i = 0; i < ids_.size(); ++i) ids_[i] = static_cast<BodyId>(i);
     moved_boxes_.reserve(ids_.size());
   }
 
-  void insert(std::span<const Aabb> boxes) override {
-    check(engine_->insert(ids_, boxes));
-    check(engine_->update().status());
-  }
+  void insert(std::span<const Aabb> boxes) override { insert(ids_, boxes); }
 
   void update(std::span<const Aabb> boxes, std::span<const BodyId> moved) override {
     if (moved.size() == boxes.size()) {
-      check(engine_->move(ids_, boxes));
+      check(engine_.move(ids_, boxes));
     } else if (!moved.empty()) {
       moved_boxes_.clear();
       for (const BodyId id : moved) moved_boxes_.push_back(boxes[id]);
-      check(engine_->move(moved, moved_boxes_));
+      check(engine_.move(ids_of(moved), moved_boxes_));
     }
-    check(engine_->update().status());
+    check(engine_.update().status());
   }
 
   // A call that failed leaves no pairs, which the oracle denies.
   void list_pairs(std::vector<Pair>& pairs) override {
-    const auto found = failed_ ? std::span<const Pair>() : engine_->pairs();
+    const auto found = failed_ ? std::span<const Pair>() : engine_.pairs();
     pairs.assign(found.begin(), found.end());
   }
+
+ protected:
+  void insert(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
+    check(engine_.insert(ids, boxes));
+    check(engine_.update().status());
+  }
+
+  /// The ids that the engine knows these bodies by.
+  virtual std::span<const BodyId> ids_of(std::span<const BodyId> bodies) { return bodies; }
+
+  std::vector<BodyId> ids_;  // by body
 
  private:
   void check(const Status& status) { failed_ = failed_ || !status.ok(); }
 
   std::string_view name_;
-  EngineOptions options_;
-  std::unique_ptr<Broadphase> engine_;
-  std::vector<BodyId> ids_;
+  SettingValues settings_;
+  Broadphase engine_;
   std::vector<Aabb> moved_boxes_;
   bool failed_ = false;
 };
 
+/// The same with ids from all over 32 bits, and bodies that come in no order: what ids and order cost.
+class ScatteredEngine final : public OwnEngine {
+ public:
+  using OwnEngine::OwnEngine;
+
+  // The boxes' order is the user's own, and no part of the frame.
+  void prepare(const Stage& stage) override {
+    OwnEngine::prepare(stage);
+    for (BodyId& id : ids_) id *= kScatter;
+    moved_ids_.reserve(ids_.size());
+    std::vector<BodyId> order(ids_.size());
+    std::iota(order.begin(), order.end(), BodyId{0});
+    Random random(1, order.size());
+    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+    for (const BodyId body : order) {
+      shuffled_ids_.push_back(ids_[body]);
+      shuffled_boxes_.push_back(stage.boxes[body]);
+    }
+  }
+
+  void insert(std::span<const Aabb>) override { OwnEngine::insert(shuffled_ids_, shuffled_boxes_); }
+
+  BodyId body_of(BodyId id) const override { return id * kGather; }
+
+ private:
+  // An odd number modulo 2^32 is undone by another.
+  static constexpr BodyId kScatter = 2654435761U;
+  static constexpr BodyId kGather = 244002641U;
+  static_assert(kScatter * kGather == 1);
+
+  std::span<const BodyId> ids_of(std::span<const BodyId> bodies) override {
+    moved_ids_.clear();
+    for (const BodyId body : bodies) moved_ids_.push_back(ids_[body]);
+    return moved_ids_;
+  }
+
+  std::vector<BodyId> shuffled_ids_;
+  std::vector<Aabb> shuffled_boxes_;
+  std::vector<BodyId> moved_ids_;
+};
+
+template <class Own>
 PeerInfo own_engine(std::string_view row, std::string_view name, std::string_view threads,
-                    std::string_view settings, const EngineOptions& options) {
+                    std::string_view settings, const SettingValues& values = {}) {
   PeerInfo info;
   info.name = row;
   info.threads = threads;
-  info.margin = name == "stream" ? "hulls, chosen by itself" : "none";
+  info.margin = name == "stream" ? "fat boxes, chosen by itself" : "none";
   info.settings = settings;
   info.exactness = "exactly the pairs, in ascending order; also which began and ended";
-  info.most_bodies = (*make_engine(name, options))->capacity().bodies;
-  info.make = [name, options] { return std::make_unique<OwnEngine>(name, options); };
+  info.most_bodies = make_broadphase(name, values)->capacity().bodies;
+  info.make = [name, values] { return std::make_unique<Own>(name, values); };
   return info;
 }
 
 }  // namespace
 
 void add_own_peers(std::vector<PeerInfo>& peers) {
+  report::add_all_engines();
   PeerInfo memory;
   memory.name = "memory";
   memory.threads = "1";
@@ -100,13 +153,15 @@ void add_own_peers(std::vector<PeerInfo>& peers) {
   memory.make = [] { return std::make_unique<MemoryLimit>(); };
   peers.push_back(std::move(memory));
 
-  peers.push_back(own_engine("stream", "stream", "as many as it finds to pay", "as it comes", {}));
-  EngineOptions one_thread;
-  one_thread.threads = 1;
-  peers.push_back(own_engine("stream_1", "stream", "1", "`--threads 1`", one_thread));
-#ifdef CELLSWEEP_CELL_ENGINES
-  peers.push_back(own_engine("cell-resident", "cell-resident", "one for each SPU", "as it comes", {}));
-#endif
+  constexpr std::string_view kAsItFindsToPay = "as many as it finds to pay";
+  peers.push_back(own_engine<OwnEngine>("stream", "stream", kAsItFindsToPay, "as it comes"));
+  peers.push_back(own_engine<ScatteredEngine>(
+      "stream_scattered", "stream", kAsItFindsToPay,
+      "as it comes; ids from all over 32 bits, bodies inserted in an order of chance"));
+  peers.push_back(own_engine<OwnEngine>("stream_1", "stream", "1", "`--threads 1`", {{"threads", "1"}}));
+  if (find_engine("cell-resident") != nullptr)
+    peers.push_back(
+        own_engine<OwnEngine>("cell-resident", "cell-resident", "one for each SPU", "as it comes"));
 }
 
 }  // namespace cellsweep::bench

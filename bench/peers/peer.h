@@ -42,6 +42,9 @@ class Peer {
   /// Writes the pairs of the last insert() or update() into a list of the caller's, over what is in it:
   /// exactly those whose closed boxes overlap, each once, in any order.
   virtual void list_pairs(std::vector<Pair>& pairs) = 0;
+
+  /// The body that the peer lists by this id, for one that gives them ids of its own. Not timed.
+  virtual BodyId body_of(BodyId id) const { return id; }
 };
 
 /// One row of the table of peers: how to make one, and what its times must be read with. The texts are

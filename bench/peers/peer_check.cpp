@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "bench/peers/grid_oracle.h"
-#include "broadphase/brute_force.h"
+#include "report/oracle.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 // Beyond that, comparing all with all takes longer than the row.
 constexpr std::size_t kMostByBruteForce = 10'000;
 
-std::vector<Pair> oracle_pairs(std::span<const Aabb> boxes) {
-  return boxes.size() <= kMostByBruteForce ? brute_force_pairs(boxes) : grid_pairs(boxes);
+std::vector<Pair> true_pairs(std::span<const Aabb> boxes) {
+  return boxes.size() <= kMostByBruteForce ? report::oracle_pairs(boxes) : grid_pairs(boxes);
 }
 
 // Pairs of the first sorted list that the second has not.
@@ -31,9 +31,8 @@ std::string describe(const Mismatch& mismatch) {
 }
 
 Mismatch compare_with_oracle(std::span<const Aabb> boxes, std::vector<Pair> pairs) {
-  std::vector<Pair> expected = oracle_pairs(boxes);
+  std::vector<Pair> expected = true_pairs(boxes);
   std::sort(expected.begin(), expected.end());
-  for (Pair& pair : pairs) pair = make_pair_of(pair.a, pair.b);
   std::sort(pairs.begin(), pairs.end());
   return {only_in_first(expected, pairs), only_in_first(pairs, expected)};
 }
@@ -57,7 +56,7 @@ PairSum oracle_sum(const PeerSetting& setting, std::size_t frame, std::span<cons
   const auto [entry, is_new] =
       known.try_emplace({setting.scene, setting.bodies, moving, moving == 0 ? 0 : frame});
   if (is_new) {
-    const std::vector<Pair> pairs = oracle_pairs(boxes);
+    const std::vector<Pair> pairs = true_pairs(boxes);
     entry->second = {pairs.size(), pair_set_hash(pairs)};
   }
   return entry->second;

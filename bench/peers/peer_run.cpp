@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "world/scene_recipes.h"
 
 namespace cellsweep::bench {
@@ -74,6 +74,14 @@ double PeerRun::update(std::span<const BodyId> moved) {
   peer_->update(boxes(), moved);
   peer_->list_pairs(pairs_);
   return seconds_since(start);
+}
+
+std::vector<Pair> PeerRun::pairs() const {
+  std::vector<Pair> pairs;
+  pairs.reserve(pairs_.size());
+  for (const Pair& pair : pairs_)
+    pairs.push_back(make_pair_of(peer_->body_of(pair.a), peer_->body_of(pair.b)));
+  return pairs;
 }
 
 double PeerRun::next_frame() {

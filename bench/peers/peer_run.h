@@ -11,7 +11,7 @@
 
 #include "bench/peers/peer.h"
 #include "bench/peers/peer_mode.h"
-#include "cellsweep/frame_source.h"
+#include "cellsweep/world/frame_source.h"
 
 namespace cellsweep::bench {
 
@@ -37,7 +37,10 @@ class PeerRun {
   double next_frame();
 
   std::span<const Aabb> boxes() const { return source_->boxes(); }
-  const std::vector<Pair>& pairs() const { return pairs_; }
+  /// The list of the last frame, as the peer wrote it.
+  const std::vector<Pair>& listed() const { return pairs_; }
+  /// The same list, of bodies by their numbers, the smaller first.
+  std::vector<Pair> pairs() const;
 
  private:
   void make_peer();

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "bench/peers/peer_check.h"
@@ -31,8 +32,9 @@ Mismatch check_once(const PeerInfo& peer, const PeerSetting& setting) {
 // The list is sorted and compared only when count or hash differ.
 Mismatch check_last_frame(const PeerRun& run, const PeerSetting& setting, std::size_t frame) {
   const PairSum expected = oracle_sum(setting, frame, run.boxes());
-  if (expected == PairSum{run.pairs().size(), pair_set_hash(run.pairs())}) return {};
-  return compare_with_oracle(run.boxes(), run.pairs());
+  std::vector<Pair> pairs = run.pairs();
+  if (expected == PairSum{pairs.size(), pair_set_hash(pairs)}) return {};
+  return compare_with_oracle(run.boxes(), std::move(pairs));
 }
 
 // Slow peers need not take as many frames.
@@ -60,7 +62,7 @@ void run_row(benchmark::State& state, const PeerInfo& peer, const PeerSetting& s
     seconds = time_frames(run, setting);
     state.SetIterationTime(report::quantile(seconds, 0.5));
   }
-  state.counters["pairs"] = static_cast<double>(run.pairs().size());
+  state.counters["pairs"] = static_cast<double>(run.listed().size());
   state.counters["frames"] = static_cast<double>(seconds.size());
   state.counters["slowest"] = 1e6 * report::quantile(seconds, 1.0);
   if (!peer.finds_pairs) return;

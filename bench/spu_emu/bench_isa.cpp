@@ -12,10 +12,10 @@
 #include <memory>
 #include <random>
 
-#include "isa/machine.h"
+#include "isa/core/machine.h"
 #include "mfc/decrementer.h"
 #include "mfc/spu_channels.h"
-#include "spu_emu/isa/assembler.h"
+#include "spu_emu/isa/encoding/assembler.h"
 
 namespace {
 

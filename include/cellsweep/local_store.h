@@ -4,13 +4,18 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cellsweep/engines.h"
+#include "cellsweep/export.h"
 #include "cellsweep/status.h"
 
 namespace cellsweep {
+
+struct CellPaperOptions;
+struct CellBruteOptions;
+struct CellResidentOptions;
+struct CellStreamOptions;
 
 /// A named piece of local store.
 struct LocalStorePart {
@@ -19,7 +24,7 @@ struct LocalStorePart {
 };
 
 /// The layout of the SPE that holds most.
-struct LocalStoreMap {
+struct CELLSWEEP_API LocalStoreMap {
   std::string engine;
   std::uint64_t bodies = 0;
   std::uint64_t limit = 0;            ///< bytes; 0: no limit
@@ -30,9 +35,14 @@ struct LocalStoreMap {
   bool fits() const { return limit == 0 || used() <= limit; }
 };
 
-/// The layout of `engine` with these options and so many bodies, whether or not it fits. Errors: those of
-/// make_engine(), and bad_option for an engine that has no local store.
-Result<LocalStoreMap> local_store_map(std::string_view engine, const EngineOptions& options,
-                                      std::uint64_t bodies);
+/// The layout for so many bodies, whether or not it fits. Errors: those of make_broadphase().
+CELLSWEEP_API Result<LocalStoreMap> local_store_map(const CellPaperOptions& options, std::uint64_t bodies);
+CELLSWEEP_API Result<LocalStoreMap> local_store_map(const CellBruteOptions& options, std::uint64_t bodies);
+CELLSWEEP_API Result<LocalStoreMap> local_store_map(const CellResidentOptions& options, std::uint64_t bodies);
+CELLSWEEP_API Result<LocalStoreMap> local_store_map(const CellStreamOptions& options, std::uint64_t bodies);
+
+/// The same for an engine of engine_table(), with settings as there; bad_option for one without SPEs.
+CELLSWEEP_API Result<LocalStoreMap> local_store_map(std::string_view engine, const SettingValues& settings,
+                                                    std::uint64_t bodies);
 
 }  // namespace cellsweep

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "cellsweep/export.h"
+
 namespace cellsweep {
 
 /// A name the caller gives to a body: any 32-bit number, dense or sparse.
@@ -17,6 +19,7 @@ struct Pair {
   BodyId a = 0;
   BodyId b = 0;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): the comparison that is generated has no pointer in it.
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
@@ -47,6 +50,6 @@ constexpr std::uint64_t pair_set_hash(std::span<const Pair> pairs) {
 }
 
 /// A hash as it is printed everywhere: sixteen lower-case hex digits.
-std::string hash_text(std::uint64_t hash);
+CELLSWEEP_API std::string hash_text(std::uint64_t hash);
 
 }  // namespace cellsweep

@@ -2,12 +2,16 @@
 /// How a call says that it did not do what was asked: a code, a sentence, and the numbers behind it.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
+#include "cellsweep/export.h"
 #include "cellsweep/pair.h"
 
 namespace cellsweep {
@@ -15,8 +19,8 @@ namespace cellsweep {
 enum class StatusCode {
   ok,
   invalid_box,     ///< NaN, infinity or min > max; a pose that is none
-  unknown_body,    ///< an id that is not in the engine
-  duplicate_body,  ///< an id that is there already, or twice in one call
+  unknown_body,    ///< an id that is not there
+  duplicate_body,  ///< an id that is there already, or twice in one call that allows it once
   capacity,        ///< more than a stated limit allows
   bad_option,      ///< an unknown engine, or a setting out of its range
   bad_input,       ///< arguments or a file that contradict themselves
@@ -24,15 +28,34 @@ enum class StatusCode {
 };
 
 /// The outcome of a call. When it is not ok, the call changed nothing.
-struct [[nodiscard]] Status {
+struct [[nodiscard]] CELLSWEEP_API Status {
+  /// A status names at most so many of the bodies at fault; `number` counts them all.
+  static constexpr std::size_t kMostBodies = 16;
+
   StatusCode code = StatusCode::ok;
   std::string message{};  ///< a whole sentence for a person: what, which number, which limit, what to change
-  std::optional<BodyId> body{};  ///< the body at fault, when one is
-  std::uint64_t number = 0;      ///< for `capacity`: what was asked for
-  std::uint64_t limit = 0;       ///< for `capacity`: what is allowed
-  std::string setting{};         ///< for `capacity`: the option to raise; empty when nothing can be raised
+  std::optional<BodyId> body{};  ///< the first body at fault, when one is
+  std::vector<BodyId>
+      bodies{};              ///< the bodies at fault, in the order of the call, the first kMostBodies of them
+  std::uint64_t number = 0;  ///< what was asked for; of bodies at fault, how many there are
+  std::uint64_t limit = 0;   ///< what is allowed, where there is a limit
+  std::string setting{};     ///< the option to change; empty when none would help
 
   bool ok() const { return code == StatusCode::ok; }
+
+  /// A setting that is out of its range. `number` and `limit` where it is a number.
+  static Status bad_option(std::string setting, std::string message, std::uint64_t number = 0,
+                           std::uint64_t limit = 0);
+  /// More than fits. An empty setting: nothing raises the limit.
+  static Status over_capacity(std::string message, std::uint64_t number, std::uint64_t limit,
+                              std::string setting = {});
+  /// Arguments or a file that contradict themselves.
+  static Status bad_input(std::string message, std::string setting = {}, std::uint64_t number = 0,
+                          std::uint64_t limit = 0);
+  /// `all` of the bodies at fault, at least one.
+  static Status bad_bodies(StatusCode code, std::string message, std::span<const BodyId> all);
+  /// An SPE, by number, that broke a rule or is not to be had.
+  static Status spe_failed(std::string message, std::uint64_t spe = 0);
 };
 
 /// Either a value or the status that says why there is none.
@@ -40,21 +63,30 @@ template <class T>
 class [[nodiscard]] Result {
  public:
   Result(T value) : content_(std::move(value)) {}
-  Result(Status status) : content_(std::move(status)) {}
+  Result(Status status) : content_(std::move(status)) { assert(!this->status().ok()); }
 
   bool ok() const { return std::holds_alternative<T>(content_); }
   explicit operator bool() const { return ok(); }
 
-  /// The value; only when ok().
-  T& operator*() { return *std::get_if<T>(&content_); }
-  const T& operator*() const { return *std::get_if<T>(&content_); }
-  T* operator->() { return std::get_if<T>(&content_); }
-  const T* operator->() const { return std::get_if<T>(&content_); }
+  /// The value; only when ok(), which is asserted.
+  T& operator*() { return *value(); }
+  const T& operator*() const { return *value(); }
+  T* operator->() { return value(); }
+  const T* operator->() const { return value(); }
 
   /// Why there is no value; an ok status when there is one.
   Status status() const { return ok() ? Status{} : *std::get_if<Status>(&content_); }
 
  private:
+  T* value() {
+    assert(ok());
+    return std::get_if<T>(&content_);
+  }
+  const T* value() const {
+    assert(ok());
+    return std::get_if<T>(&content_);
+  }
+
   std::variant<T, Status> content_;
 };
 

@@ -4,8 +4,6 @@
 
 #include <cstring>
 
-#include "libspe2/program_image.h"
-
 namespace spu_emu {
 
 namespace {
@@ -33,9 +31,22 @@ bool take_constructors(PreparedModule& module, const Elf64_Phdr& dynamic) {
 }
 }  // namespace
 
+bool is_module(const std::byte* image) {
+  Elf64_Ehdr header;
+  std::memcpy(&header, image, sizeof header);
+  return std::memcmp(header.e_ident, ELFMAG, SELFMAG) == 0 && header.e_ident[EI_CLASS] == ELFCLASS64 &&
+         header.e_ident[EI_DATA] == ELFDATA2LSB && header.e_machine == EM_X86_64 && header.e_type == ET_DYN;
+}
+
+std::size_t module_size(const std::byte* image) {
+  Elf64_Ehdr header;
+  std::memcpy(&header, image, sizeof header);
+  return header.e_shoff + std::size_t{header.e_shnum} * header.e_shentsize;
+}
+
 std::optional<PreparedModule> prepare_module(std::span<const std::byte> file) {
   const auto header = read_at<Elf64_Ehdr>(file, 0);
-  if (!header || image_kind(file.data()) != ImageKind::host_module) return std::nullopt;
+  if (!header || !is_module(file.data())) return std::nullopt;
   PreparedModule module;
   module.file.assign(file.begin(), file.end());
   for (std::uint64_t i = 0; i < header->e_phnum; ++i) {

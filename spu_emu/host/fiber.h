@@ -1,4 +1,5 @@
-// A stack of its own for an SPU program, so that it can stop in the middle and go on later.
+/// @file
+/// A stack of its own for an SPU program, so that it can stop in the middle and go on later.
 #ifndef SPU_EMU_HOST_FIBER_H
 #define SPU_EMU_HOST_FIBER_H
 

@@ -1,4 +1,5 @@
-// The heap of an SPU program: blocks of its local store, with the bookkeeping kept outside.
+/// @file
+/// The heap of an SPU program: blocks of its local store, with the bookkeeping kept outside.
 #ifndef SPU_EMU_HOST_HEAP_H
 #define SPU_EMU_HOST_HEAP_H
 

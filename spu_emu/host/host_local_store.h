@@ -1,5 +1,6 @@
-// The local store of the host engine: an arena, and windows through which a program's own data and stack have
-// LS addresses.
+/// @file
+/// The local store of the host engine: an arena, and windows through which a program's own data and stack
+/// have LS addresses.
 #ifndef SPU_EMU_HOST_HOST_LOCAL_STORE_H
 #define SPU_EMU_HOST_HOST_LOCAL_STORE_H
 
@@ -8,8 +9,8 @@
 #include <vector>
 
 #include "host/heap.h"
-#include "libspe2/arena.h"
 #include "mfc/local_store.h"
+#include "spe/arena.h"
 
 namespace spu_emu {
 

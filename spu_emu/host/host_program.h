@@ -1,4 +1,5 @@
-// A program of the host engine: a module of this machine's code on a stack of its own.
+/// @file
+/// A program of the host engine: a module of this machine's code on a stack of its own.
 #ifndef SPU_EMU_HOST_HOST_PROGRAM_H
 #define SPU_EMU_HOST_HOST_PROGRAM_H
 
@@ -9,8 +10,8 @@
 #include "host/fiber.h"
 #include "host/host_local_store.h"
 #include "host/module.h"
-#include "libspe2/load_program.h"
-#include "libspe2/spe.h"
+#include "spe/program_loader.h"
+#include "spe/spe.h"
 #include "spu_emu/services.h"
 
 namespace spu_emu {

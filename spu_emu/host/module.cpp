@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include "host/elf_image.h"
-#include "libspe2/program_image.h"
 #include "mfc/format.h"
 
 namespace spu_emu {
@@ -65,7 +64,7 @@ int find_module(dl_phdr_info* info, std::size_t, void* data) {
 
 std::unique_ptr<Module> Module::load(const spe_program_handle_t& program, std::string& error) {
   const auto* bytes = static_cast<const std::byte*>(program.elf_image);
-  const auto prepared = prepare_module({bytes, image_size(bytes)});
+  const auto prepared = prepare_module({bytes, module_size(bytes)});
   if (!prepared) {
     error = "the image is no x86-64 program module";
     return nullptr;

@@ -1,4 +1,5 @@
-// A loaded SPU program of the host engine: a private copy of its module.
+/// @file
+/// A loaded SPU program of the host engine: a private copy of its module.
 #ifndef SPU_EMU_HOST_MODULE_H
 #define SPU_EMU_HOST_MODULE_H
 

@@ -1,4 +1,5 @@
-// What the sanitizers must be told when a thread changes its stack; nothing in an ordinary build.
+/// @file
+/// What the sanitizers must be told when a thread changes its stack; nothing in an ordinary build.
 #ifndef SPU_EMU_HOST_SANITIZERS_H
 #define SPU_EMU_HOST_SANITIZERS_H
 

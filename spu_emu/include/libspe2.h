@@ -11,6 +11,7 @@
 
 #include "libspe2-types.h"
 
+#pragma GCC visibility push(default)
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -106,5 +107,6 @@ int spe_cpu_info_get(int info_requested, int cpu_node);
 #ifdef __cplusplus
 }
 #endif
+#pragma GCC visibility pop
 
 #endif

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "isa/disassembler.h"
+#include "isa/encoding/disassembler.h"
 #include "isa/timing/code_ranges.h"
-#include "libspe2/program_image.h"
 #include "mfc/format.h"
 
 namespace spu_emu::isa {
@@ -29,12 +28,12 @@ IsaProgram::IsaProgram(Spe& spe)
       calls_(StoreBytes({store_.bytes(), store_.limit()}, this), spe.settings().library_calls) {
   if (!spe.settings().cycles) return;
   cycles_ = std::make_unique<CycleModel>(*spe.settings().cycles, store_.bytes());
-  machine_.set_cycle_model(*cycles_);
+  machine_.set_observer(*cycles_);
 }
 
 LoadResult IsaProgram::load(Spe& spe, const spe_program_handle_t& handle) {
   const auto* image = static_cast<const std::byte*>(handle.elf_image);
-  const std::span<const std::byte> file(image, image_size(image));
+  const std::span<const std::byte> file(image, elf_size_in_memory(image));
   ElfResult elf = read_elf(file);
   if (!elf.program) return {nullptr, EINVAL, elf.error};
   auto program = std::make_unique<IsaProgram>(spe);

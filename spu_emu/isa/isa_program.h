@@ -1,4 +1,5 @@
-// A program of the instruction-level engine: an SPU ELF file in a machine that executes it.
+/// @file
+/// A program of the instruction-level engine: an SPU ELF file in a machine that executes it.
 #ifndef SPU_EMU_ISA_ISA_PROGRAM_H
 #define SPU_EMU_ISA_ISA_PROGRAM_H
 
@@ -6,13 +7,13 @@
 #include <memory>
 #include <vector>
 
-#include "isa/library_calls.h"
-#include "isa/machine.h"
-#include "isa/overlay_image.h"
-#include "isa/program_store.h"
+#include "isa/core/machine.h"
+#include "isa/elf/overlay_image.h"
+#include "isa/elf/program_store.h"
+#include "isa/libc/library_calls.h"
 #include "isa/timing/cycle_model.h"
-#include "libspe2/load_program.h"
-#include "libspe2/spe.h"
+#include "spe/program_loader.h"
+#include "spe/spe.h"
 
 namespace spu_emu::isa {
 

@@ -1,4 +1,5 @@
-// What a libspe2 context is: an SPE and what the library keeps about it.
+/// @file
+/// What a libspe2 context is: an SPE and what the library keeps about it.
 #ifndef SPU_EMU_LIBSPE2_CONTEXT_H
 #define SPU_EMU_LIBSPE2_CONTEXT_H
 
@@ -8,7 +9,7 @@
 #include <deque>
 #include <mutex>
 
-#include "libspe2/spe.h"
+#include "spe/spe.h"
 
 namespace spu_emu {
 

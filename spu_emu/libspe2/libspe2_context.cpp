@@ -8,10 +8,11 @@
 #include <new>
 #include <thread>
 
-#include "isa/elf_loader.h"
+#include "isa/elf/elf_loader.h"
 #include "libspe2/context.h"
+#include "libspe2/load_program.h"
 #include "libspe2/program_image.h"
-#include "libspe2/settings.h"
+#include "spe/settings.h"
 
 namespace {
 
@@ -151,7 +152,7 @@ int spe_program_load(spe_context_ptr_t spe, spe_program_handle_t* program) {
   if (spe == nullptr) return fail(ESRCH);
   if (program == nullptr) return fail(EINVAL);
   if (spe->running.load()) return fail(EBUSY);
-  const int error = spe->spe.load(*program);
+  const int error = spe->spe.load(*program, &spu_emu::load_program);
   return error == 0 ? 0 : fail(error);
 }
 

@@ -1,4 +1,5 @@
-// Tells what kind of program an image in memory is, and how long.
+/// @file
+/// Tells what kind of program an image in memory is, and how long.
 #ifndef SPU_EMU_LIBSPE2_PROGRAM_IMAGE_H
 #define SPU_EMU_LIBSPE2_PROGRAM_IMAGE_H
 

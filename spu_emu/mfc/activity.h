@@ -1,4 +1,5 @@
-// Where the MFC tells what it does and when, for a timeline.
+/// @file
+/// Where the MFC tells what it does and when, for a timeline.
 #ifndef SPU_EMU_MFC_ACTIVITY_H
 #define SPU_EMU_MFC_ACTIVITY_H
 

@@ -1,4 +1,5 @@
-// The MFC's atomic commands: executed at once, outside the queue, with their status channel.
+/// @file
+/// The MFC's atomic commands: executed at once, outside the queue, with their status channel.
 #ifndef SPU_EMU_MFC_ATOMIC_UNIT_H
 #define SPU_EMU_MFC_ATOMIC_UNIT_H
 

@@ -1,4 +1,5 @@
-// The byte order of an SPU, which is big-endian, as the host has to make it.
+/// @file
+/// The byte order of an SPU, which is big-endian, as the host has to make it.
 #ifndef SPU_EMU_MFC_BYTE_ORDER_H
 #define SPU_EMU_MFC_BYTE_ORDER_H
 

@@ -1,4 +1,5 @@
-// One MFC command as it is issued, and what its opcode says about it.
+/// @file
+/// One MFC command as it is issued, and what its opcode says about it.
 #ifndef SPU_EMU_MFC_COMMAND_H
 #define SPU_EMU_MFC_COMMAND_H
 
@@ -41,6 +42,14 @@ constexpr bool is_store(std::uint32_t opcode) {
 constexpr bool is_list(std::uint32_t opcode) {
   return (is_put(opcode) || is_get(opcode)) && (opcode & 4U) != 0;
 }
+/// Moves one run of bytes between local store and an address.
+constexpr bool is_simple_transfer(std::uint32_t opcode) {
+  return (is_store(opcode) || is_get(opcode)) && !is_list(opcode);
+}
+/// Stores a line whatever is reserved, in the queue and with a tag.
+constexpr bool is_line_store(std::uint32_t opcode) {
+  return opcode == MFC_PUTQLLUC_CMD;
+}
 /// Has a variant field whose bits 1 and 2 mean barrier and fence.
 constexpr bool has_variant(std::uint32_t opcode) {
   return is_store(opcode) || is_get(opcode);
@@ -53,10 +62,6 @@ constexpr bool is_tag_fence(std::uint32_t opcode) {
 }
 constexpr bool is_queue_barrier(std::uint32_t opcode) {
   return opcode == MFC_BARRIER_CMD;
-}
-/// Storage control (data cache range) commands.
-constexpr bool is_storage_control(std::uint32_t opcode) {
-  return (opcode & 0xf0U) == 0x80U;
 }
 
 /// True if `earlier`, issued before `later` in the same queue, must be done before `later` may start.

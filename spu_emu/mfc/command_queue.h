@@ -1,4 +1,5 @@
-// An MFC command queue: checks commands, keeps their order rules, and decides when their bytes move.
+/// @file
+/// An MFC command queue: checks commands, keeps their order rules, and decides when their bytes move.
 #ifndef SPU_EMU_MFC_COMMAND_QUEUE_H
 #define SPU_EMU_MFC_COMMAND_QUEUE_H
 

@@ -1,4 +1,5 @@
-// Copies between a local store and main memory, plain or with every 32-bit word swapped.
+/// @file
+/// Copies between a local store and main memory, plain or with every 32-bit word swapped.
 #ifndef SPU_EMU_MFC_COPY_H
 #define SPU_EMU_MFC_COPY_H
 

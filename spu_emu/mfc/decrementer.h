@@ -1,4 +1,5 @@
-// The SPU decrementer: counts down at the timebase and tells when it has passed zero.
+/// @file
+/// The SPU decrementer: counts down at the timebase and tells when it has passed zero.
 #ifndef SPU_EMU_MFC_DECREMENTER_H
 #define SPU_EMU_MFC_DECREMENTER_H
 

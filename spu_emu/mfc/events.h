@@ -1,4 +1,5 @@
-// The SPU's event bits: raised by the MFC, the mailboxes and the signals, read and acknowledged by the SPU.
+/// @file
+/// The SPU's event bits: raised by the MFC, the mailboxes and the signals, read and acknowledged by the SPU.
 #ifndef SPU_EMU_MFC_EVENTS_H
 #define SPU_EMU_MFC_EVENTS_H
 

@@ -1,4 +1,5 @@
-// A broken rule of the hardware: which one, by what command, where, and how libspe2 reports it.
+/// @file
+/// A broken rule of the hardware: which one, by what command, where, and how libspe2 reports it.
 #ifndef SPU_EMU_MFC_FAULT_H
 #define SPU_EMU_MFC_FAULT_H
 

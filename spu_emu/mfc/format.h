@@ -1,4 +1,5 @@
-// printf-style text into a std::string, for fault messages and the trace.
+/// @file
+/// printf-style text into a std::string, for fault messages and the trace.
 #ifndef SPU_EMU_MFC_FORMAT_H
 #define SPU_EMU_MFC_FORMAT_H
 

@@ -1,4 +1,5 @@
-// The elements of a DMA list, read by value from a local store.
+/// @file
+/// The elements of a DMA list, read by value from a local store.
 #ifndef SPU_EMU_MFC_LIST_H
 #define SPU_EMU_MFC_LIST_H
 

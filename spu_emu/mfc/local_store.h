@@ -1,4 +1,5 @@
-// What the MFC needs to know of a local store: where its bytes are, and in which byte order.
+/// @file
+/// What the MFC needs to know of a local store: where its bytes are, and in which byte order.
 #ifndef SPU_EMU_MFC_LOCAL_STORE_H
 #define SPU_EMU_MFC_LOCAL_STORE_H
 

@@ -1,4 +1,5 @@
-// A mailbox: a short queue of 32-bit messages between an SPU and the rest of the machine.
+/// @file
+/// A mailbox: a short queue of 32-bit messages between an SPU and the rest of the machine.
 #ifndef SPU_EMU_MFC_MAILBOX_H
 #define SPU_EMU_MFC_MAILBOX_H
 

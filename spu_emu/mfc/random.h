@@ -1,4 +1,5 @@
-// A small seeded generator for the order in which late transfers land.
+/// @file
+/// A small seeded generator for the order in which late transfers land.
 #ifndef SPU_EMU_MFC_RANDOM_H
 #define SPU_EMU_MFC_RANDOM_H
 

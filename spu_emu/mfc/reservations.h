@@ -1,4 +1,5 @@
-// Lock-line reservations: getllar and putllc of all SPEs, and what makes a reservation lost.
+/// @file
+/// Lock-line reservations: getllar and putllc of all SPEs, and what makes a reservation lost.
 #ifndef SPU_EMU_MFC_RESERVATIONS_H
 #define SPU_EMU_MFC_RESERVATIONS_H
 

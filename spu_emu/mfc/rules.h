@@ -1,4 +1,5 @@
-// The MFC's rules for one command, checked before it is queued.
+/// @file
+/// The MFC's rules for one command, checked before it is queued.
 #ifndef SPU_EMU_MFC_RULES_H
 #define SPU_EMU_MFC_RULES_H
 

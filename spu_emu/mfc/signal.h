@@ -1,4 +1,5 @@
-// A signal notification register: one 32-bit word that others write and the SPU reads and clears.
+/// @file
+/// A signal notification register: one 32-bit word that others write and the SPU reads and clears.
 #ifndef SPU_EMU_MFC_SIGNAL_H
 #define SPU_EMU_MFC_SIGNAL_H
 

@@ -1,4 +1,5 @@
-// Which effective addresses are local stores and problem state areas of emulated SPEs.
+/// @file
+/// Which effective addresses are local stores and problem state areas of emulated SPEs.
 #ifndef SPU_EMU_MFC_SPE_DIRECTORY_H
 #define SPU_EMU_MFC_SPE_DIRECTORY_H
 

@@ -1,4 +1,6 @@
-// The channels of one SPU: what its read, write and count instructions do, and the other side's view of them.
+/// @file
+/// The channels of one SPU: what its read, write and count instructions do, and the other side's view of
+/// them.
 #ifndef SPU_EMU_MFC_SPU_CHANNELS_H
 #define SPU_EMU_MFC_SPU_CHANNELS_H
 

@@ -1,4 +1,5 @@
-// What one SPE did, counted.
+/// @file
+/// What one SPE did, counted.
 #ifndef SPU_EMU_MFC_STATISTICS_H
 #define SPU_EMU_MFC_STATISTICS_H
 

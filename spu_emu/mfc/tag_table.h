@@ -1,4 +1,5 @@
-// Which DMA tags a program has reserved through mfc_tag_reserve.
+/// @file
+/// Which DMA tags a program has reserved through mfc_tag_reserve.
 #ifndef SPU_EMU_MFC_TAG_TABLE_H
 #define SPU_EMU_MFC_TAG_TABLE_H
 

@@ -1,4 +1,5 @@
-// Moves the bytes of a command: between a local store and whatever its effective address means.
+/// @file
+/// Moves the bytes of a command: between a local store and whatever its effective address means.
 #ifndef SPU_EMU_MFC_TRANSFERS_H
 #define SPU_EMU_MFC_TRANSFERS_H
 

@@ -1,4 +1,5 @@
-// A place to wait for a state that other threads change: spins briefly, then sleeps.
+/// @file
+/// A place to wait for a state that other threads change: spins briefly, then sleeps.
 #ifndef SPU_EMU_MFC_WAIT_POINT_H
 #define SPU_EMU_MFC_WAIT_POINT_H
 

@@ -1,5 +1,6 @@
-// Watches the local store bytes of a command in flight, so that a program that touches them too early is
-// told.
+/// @file
+/// Watches the local store bytes of a command in flight, so that a program that touches them too early is
+/// told.
 #ifndef SPU_EMU_MFC_WATCH_H
 #define SPU_EMU_MFC_WATCH_H
 

@@ -1,4 +1,5 @@
-// Cycles of a program, and the numbers of the model, as text.
+/// @file
+/// Cycles of a program, and the numbers of the model, as text.
 #ifndef SPU_EMU_TOOLS_CYCLE_TABLE_H
 #define SPU_EMU_TOOLS_CYCLE_TABLE_H
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "isa/big_endian.h"
-#include "isa/elf_loader.h"
+#include "isa/elf/elf_loader.h"
+#include "isa/encoding/big_endian.h"
 #include "mfc/command.h"
 #include "spu_emu/channel_numbers.h"
 

@@ -1,4 +1,5 @@
-// The command line of an SPU program that runs alone, in the form its start-up code expects.
+/// @file
+/// The command line of an SPU program that runs alone, in the form its start-up code expects.
 #ifndef SPU_EMU_TOOLS_SPU_ARGUMENTS_H
 #define SPU_EMU_TOOLS_SPU_ARGUMENTS_H
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "isa/elf_loader.h"
+#include "isa/elf/elf_loader.h"
 #include "spu_emu/emulation.h"
 #include "tools/cycle_table.h"
 #include "tools/spu_arguments.h"

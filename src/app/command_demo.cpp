@@ -1,12 +1,15 @@
+#include "app/checks.h"
 #include "app/commands.h"
 #include "app/engine_flags.h"
 #include "app/output.h"
 #include "app/run_and_print.h"
-#include "cellsweep/recording.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/recording.h"
+#include "cellsweep/world/scene.h"
+#include "report/interrupt.h"
 #include "report/quantile.h"
 #include "report/run_engine.h"
 #include "report/table.h"
+#include "report/units.h"
 #include "report/verify.h"
 
 namespace cellsweep::app {
@@ -19,14 +22,16 @@ class Demo {
   std::size_t updates = 300;
 
   ExitCode run() {
+    const report::InterruptScope interrupts;
     if (const Status status = run_recording(); !status.ok()) return complain(status);
-    const auto make_paper = [] { return make_scene_frames(SceneSettings{}); };
-    if (const Status status = run_source(make_paper); !status.ok()) return complain(status);
+    const SceneSettings paper;
+    const Status status = run_source(paper.bodies, [&] { return make_scene_frames(paper); });
+    if (!status.ok()) return complain(status);
     print_text(table_.text());
     print_text(
         "\nset-up: what an engine does once per body ever inserted (control fills its map of all pairs).\n"
         "oracle: every frame compared with all-against-all.\n");
-    return all_exact_ ? kGood : kResultsDiffer;
+    return end_with(all_exact_ ? kGood : kResultsDiffer, "The last row is of the frames until then.");
   }
 
  private:
@@ -34,33 +39,45 @@ class Demo {
     if (file.empty()) return {};
     const auto recording = read_recording(file);
     if (!recording) return recording.status();
-    return run_source(
-        [&]() -> Result<std::unique_ptr<FrameSource>> { return make_recording_frames(*recording); });
+    return run_source(recording->bodies, [&]() -> Result<std::unique_ptr<FrameSource>> {
+      return make_recording_frames(*recording);
+    });
   }
 
-  Status run_source(const SourceMaker& make_source) {
-    for (const EngineInfo& info : engine_table()) {
-      if (Status status = run_engine_on(info.name, make_source); !status.ok()) return status;
+  Status run_source(std::size_t bodies, const SourceMaker& make_source) {
+    auto engines = EngineFlags().make(bodies);
+    if (!engines) return engines.status();
+    for (const report::FedEngine& fed : *engines) {
+      if (report::is_interrupted()) return {};
+      if (Status status = run_engine_on(fed.engine.name(), make_source); !status.ok()) return status;
     }
     return {};
   }
 
+  // Timed, and then, by another engine of that name, judged.
   Status run_engine_on(std::string_view name, const SourceMaker& make_source) {
-    auto engine = make_engine(name);
+    auto engine = make_broadphase(name);
     if (!engine) return engine.status();
     auto source = make_source();
     if (!source) return source.status();
-    const auto run = report::run_engine(**engine, **source, {updates, {}});
+    const auto run = report::run_engine(*engine, **source, {updates, {}});
     if (!run) return run.status();
-
-    Engines fresh;
-    if (auto again = make_engine(name)) fresh.push_back(std::move(*again));
-    auto second_source = make_source();
-    if (!second_source) return second_source.status();
-    const auto verdicts = report::verify_engines(fresh, **second_source, updates);
-    if (!verdicts) return verdicts.status();
-    add_row((*source)->name(), *run, verdicts->front());
+    const auto verdict = verdict_on(name, make_source);
+    if (!verdict) return verdict.status();
+    add_row((*source)->name(), *run, *verdict);
     return {};
+  }
+
+  Result<report::VerifyReport> verdict_on(std::string_view name, const SourceMaker& make_source) const {
+    auto engine = make_broadphase(name);
+    if (!engine) return engine.status();
+    auto source = make_source();
+    if (!source) return source.status();
+    std::vector<report::FedEngine> engines;
+    engines.push_back({std::move(*engine), report::Shape::boxes});
+    const auto verdicts = report::verify_engines(engines, **source, updates);
+    if (!verdicts) return verdicts.status();
+    return verdicts->front();
   }
 
   void add_row(const std::string& source, const report::RunReport& run, const report::VerifyReport& verdict) {
@@ -83,12 +100,17 @@ class Demo {
 
 void add_demo(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command =
-      program.add_subcommand("demo", "Run every engine on a recording and on scene `paper`, verified");
+      program.add_subcommand("demo", "Run every engine on a recording and on scene paper, verified");
   auto demo = std::make_shared<Demo>();
   command->add_option("FILE", demo->file, "A recording; without one, only the scene is run");
   command->add_option("--frames", demo->updates, "Updates after frame 0; of a recording as many as it has")
+      ->check(count())
+      ->type_name("N")
       ->capture_default_str();
-  command->footer("Example:\n  cellsweep demo bench/scenes/bullet-pile-1024.aabbs");
+  command->footer(
+      "Engines that do not hold all bodies are left out.\n"
+      "Example:\n"
+      "  cellsweep demo bench/scenes/bullet-pile-1024.aabbs");
   command->callback([demo, &exit_code] { exit_code = demo->run(); });
 }
 

@@ -1,8 +1,10 @@
+#include "app/checks.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/scene_flags.h"
-#include "broadphase/text.h"
-#include "cellsweep/recording.h"
+#include "app/watched_frames.h"
+#include "base/text.h"
+#include "cellsweep/world/recording.h"
 
 namespace cellsweep::app {
 namespace {
@@ -19,15 +21,18 @@ struct Record {
     if (!world) return world.status();
     auto source = make_scene_frames(scene.settings);
     if (!source) return source.status();
-    return record(**source, updates, world->bounds());
+    WatchedFrames watched(**source, "record, frame", updates);
+    return record(watched, updates, world->bounds());
   }
 
   ExitCode run() const {
+    if (const Status status = check_ending(out, {".aabbs", ".npy"}); !status.ok()) return complain(status);
+    const report::InterruptScope interrupts;
     const auto recording = make();
     if (!recording) return complain(recording.status());
     if (const Status status = write_recording(*recording, out); !status.ok()) return complain(status);
     print_text(text(out, ": ", recording->bodies, " bodies, ", recording->frames(), " frames\n"));
-    return kGood;
+    return end_with(kGood, "The file holds the frames until then.");
   }
 };
 
@@ -36,15 +41,18 @@ struct Record {
 void add_record(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand("record", "Write a scene, or another recording, to a file");
   auto record = std::make_shared<Record>();
-  command->add_option("--out", record->out, "File to write: .aabbs or .npy")->required();
-  auto* from = command->add_option("--from", record->from, "Recording to convert, instead of a scene");
+  command->add_option("--out", record->out, "File to write: .aabbs or .npy")->required()->type_name("FILE");
+  auto* from = command->add_option("--from", record->from, "Recording to convert, instead of a scene")
+                   ->type_name("FILE");
   record->scene.add_to(*command);
   command->add_option("--frames", record->updates, "Updates after frame 0")
+      ->check(count())
+      ->type_name("N")
       ->capture_default_str()
       ->excludes(from);
   command->footer(
       "Examples:\n"
-      "  cellsweep record --scene clustered --bodies 500 --frames 60 --out clustered.aabbs\n"
+      "  cellsweep record --scene clustered --frames 60 --out clustered.aabbs\n"
       "  cellsweep record --from bench/scenes/bullet-pile-1024.aabbs --out pile.npy");
   command->callback([record, &exit_code] { exit_code = record->run(); });
 }

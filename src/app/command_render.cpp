@@ -1,11 +1,14 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/checks.h"
 #include "app/commands.h"
 #include "app/frame_range.h"
 #include "app/output.h"
 #include "app/scene_flags.h"
-#include "cellsweep/recording.h"
+#include "base/text.h"
+#include "cellsweep/world/recording.h"
+#include "report/interrupt.h"
 #include "report/picture/picture.h"
 #include "report/progress.h"
 #include "report/text_file.h"
@@ -22,10 +25,14 @@ struct Render {
   report::PictureSettings picture;
 
   ExitCode run() {
+    if (!range.given()) {
+      if (const Status status = check_ending(out, {".png"}); !status.ok()) return complain(status);
+    }
     Aabb world;
     auto source = make_source(world);
     if (!source) return complain(source.status());
-    const Status status = range.given() ? draw_sequence(**source, world) : draw_one(**source, world);
+    if (range.given()) return draw_sequence(**source, world);
+    const Status status = draw_one(**source, world);
     return status.ok() ? kGood : complain(status);
   }
 
@@ -44,8 +51,10 @@ struct Render {
   }
 
   static Status go_to(FrameSource& source, std::size_t& at, std::size_t frame) {
+    report::Progress progress("render, on the way to frame", frame);
     for (; at < frame; ++at) {
       if (!source.advance()) return unreached_frame_status(frame, at);
+      progress.show(at);
     }
     return {};
   }
@@ -56,25 +65,53 @@ struct Render {
     return report::write_png(*image, path);
   }
 
-  Status draw_one(FrameSource& source, const Aabb& world) const {
+  Status draw_one(FrameSource& source, const Aabb& world) {
     std::size_t at = 0;
     if (Status status = go_to(source, at, frame); !status.ok()) return status;
+    report::Progress progress("render, row", picture.height);
+    picture.row_done = [&](unsigned row) { progress.show(row); };
     return draw(source, world, out);
   }
 
+  ExitCode draw_sequence(FrameSource& source, const Aabb& world) const {
+    const report::InterruptScope interrupts;
+    std::size_t drawn = 0;
+    if (const Status status = draw_all(source, world, drawn); !status.ok()) return complain(status);
+    return end_with(kGood, text(drawn, " of ", range.count(), " pictures were drawn."));
+  }
+
   // OUT/00012.png and so on, as tools that make films of pictures want them.
-  Status draw_sequence(FrameSource& source, const Aabb& world) const {
+  Status draw_all(FrameSource& source, const Aabb& world, std::size_t& drawn) const {
     if (Status status = report::make_folder(out); !status.ok()) return status;
     report::Progress progress("pictures", range.count());
     std::size_t at = 0;
-    for (std::size_t wanted = range.first; wanted <= range.last; ++wanted) {
+    for (std::size_t wanted = range.first; wanted <= range.last && !report::is_interrupted(); ++wanted) {
       if (Status status = go_to(source, at, wanted); !status.ok()) return status;
       if (Status status = draw(source, world, out / numbered_png(wanted)); !status.ok()) return status;
-      progress.show(wanted - range.first + 1);
+      progress.show(++drawn);
     }
     return {};
   }
 };
+
+}  // namespace
+
+namespace {
+
+void add_number(CLI::App& command, const std::string& flag, unsigned& number, const std::string& help,
+                std::uint64_t least, std::uint64_t most) {
+  command.add_option(flag, number, help)->check(count(least, most))->type_name("N")->capture_default_str();
+}
+
+void add_picture_flags(CLI::App& command, report::PictureSettings& picture) {
+  constexpr std::uint64_t kMostPixels = 16384;
+  constexpr std::uint64_t kMostSamples = 4096;
+  add_number(command, "--width", picture.width, "Pixels across", 1, kMostPixels);
+  add_number(command, "--height", picture.height, "Pixels down", 1, kMostPixels);
+  add_number(command, "--samples", picture.samples, "Rays a pixel: more is smoother and takes longer", 1,
+             kMostSamples);
+  add_number(command, "--threads", picture.threads, "Threads; 0: one for each core", 0, kMostThreads);
+}
 
 }  // namespace
 
@@ -84,22 +121,23 @@ void add_render(CLI::App& program, ExitCode& exit_code) {
   auto render = std::make_shared<Render>();
   command->add_option("FILE", render->file, "A recording; without one, a scene is drawn");
   render->scene.add_to(*command);
-  auto* frame = command->add_option("--frame", render->frame, "Frame to draw")->capture_default_str();
+  auto* frame = command->add_option("--frame", render->frame, "Frame to draw")
+                    ->check(count())
+                    ->type_name("N")
+                    ->capture_default_str();
   command
       ->add_option("--frames", render->range, "Frames A to B, each a picture of its own in the folder --out")
       ->type_name("A:B")
       ->excludes(frame);
-  command->add_option("--out", render->out, "PNG file; with --frames, a folder")->required();
-  command->add_option("--width", render->picture.width, "Pixels across")->capture_default_str();
-  command->add_option("--height", render->picture.height, "Pixels down")->capture_default_str();
-  command->add_option("--samples", render->picture.samples, "Rays a pixel: more is smoother and takes longer")
-      ->capture_default_str();
-  command->add_option("--threads", render->picture.threads, "Threads; 0: one for each core")
-      ->capture_default_str();
+  command->add_option("--out", render->out, "PNG file; with --frames, a folder")
+      ->type_name("FILE")
+      ->required();
+  add_picture_flags(*command, render->picture);
   command->footer(
       "Examples:\n"
       "  cellsweep render --scene paper --bodies 1024 --frame 100 --out scene.png\n"
-      "  cellsweep render bench/scenes/bullet-pile-1024.aabbs --frames 0:30 --out pile");
+      "  cellsweep render bench/scenes/bullet-pile-1024.aabbs --frames 0:30 --out pile\n"
+      "Ctrl-C ends a sequence after the picture that is being drawn.");
   command->callback([render, &exit_code] { exit_code = render->run(); });
 }
 

@@ -1,8 +1,7 @@
-#include <limits>
-
 #include "app/commands.h"
 #include "app/run_and_print.h"
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
+#include "report/progress.h"
 
 namespace cellsweep::app {
 namespace {
@@ -15,7 +14,7 @@ struct Replay {
   ExitCode run() const {
     const auto recording = read_recording(file);
     if (!recording) return complain(recording.status());
-    return run_and_print(engines, frames, [&]() -> Result<std::unique_ptr<FrameSource>> {
+    return run_and_print(engines, frames, recording->bodies, [&]() -> Result<std::unique_ptr<FrameSource>> {
       return make_recording_frames(*recording);
     });
   }
@@ -28,12 +27,12 @@ void add_replay(CLI::App& program, ExitCode& exit_code) {
   auto replay = std::make_shared<Replay>();
   command->add_option("FILE", replay->file, "A recording: .aabbs, or .npy of shape (frames, bodies, 6)")
       ->required();
-  replay->frames.add_to(*command, std::numeric_limits<std::size_t>::max(), " [all there are]");
-  replay->engines.add_to(*command);
-  replay->engines.add_cycle_flags(*command);
+  replay->frames.add_to(*command, report::Progress::kOpenEnd, "all there are");
+  replay->engines.add_to(*command, EngineFlags::Times::shown);
   command->footer(
       "Example:\n"
-      "  cellsweep replay bench/scenes/bullet-pile-1024.aabbs --report-frames 0,15,30 --json");
+      "  cellsweep replay bench/scenes/bullet-pile-1024.aabbs --json \\\n"
+      "    --report-frames 0,15,30");
   command->callback([replay, &exit_code] { exit_code = replay->run(); });
 }
 

@@ -11,7 +11,8 @@ struct Simulate {
   EngineFlags engines;
 
   ExitCode run() const {
-    return run_and_print(engines, frames, [this] { return make_scene_frames(scene.settings); });
+    return run_and_print(engines, frames, scene.settings.bodies,
+                         [this] { return make_scene_frames(scene.settings); });
   }
 };
 
@@ -21,12 +22,12 @@ void add_simulate(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand("simulate", "Run a scene made from a seed");
   auto simulate = std::make_shared<Simulate>();
   simulate->scene.add_to(*command);
-  simulate->frames.add_to(*command, 100, " [100]");
-  simulate->engines.add_to(*command);
-  simulate->engines.add_cycle_flags(*command);
+  simulate->frames.add_to(*command, 100, "100");
+  simulate->engines.add_to(*command, EngineFlags::Times::shown);
   command->footer(
       "Example:\n"
-      "  cellsweep simulate --scene varied --bodies 2000 --moving 0.1 --frames 1000 --engine control");
+      "  cellsweep simulate --scene varied --bodies 2000 --moving 0.1 --frames 1000 \\\n"
+      "    --engine control");
   command->callback([simulate, &exit_code] { exit_code = simulate->run(); });
 }
 

@@ -1,10 +1,11 @@
 #include <algorithm>
 
+#include "app/checks.h"
 #include "app/commands.h"
 #include "app/engine_flags.h"
 #include "app/output.h"
 #include "app/scene_flags.h"
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "view/view.h"
 
 namespace cellsweep::app {
@@ -19,12 +20,8 @@ struct View {
   std::size_t recorded_frames = 0;  // 0: a scene
 
   ExitCode run() {
-    if (engines.names().size() != 1) {
-      return complain({StatusCode::bad_option,
-                       "The window shows one engine at a time; its panel and keys change it.", std::nullopt,
-                       engines.names().size(), 1, "engine"});
-    }
-    view::SimulationSettings settings{nullptr, scene.settings, engines.names().front(), engines.options()};
+    if (const Status status = check(); !status.ok()) return complain(status);
+    view::SimulationSettings settings{nullptr, scene.settings, engines.names().front(), engines.values()};
     if (!file.empty()) {
       auto recording = read_recording(file);
       if (!recording) return complain(recording.status());
@@ -40,11 +37,21 @@ struct View {
   }
 
  private:
+  Status check() const {
+    if (engines.names().size() != 1) {
+      return Status::bad_option("engine",
+                                "The window shows one engine at a time; its panel and keys change it.",
+                                engines.names().size(), 1);
+    }
+    if (!window.screenshot.empty()) {
+      if (Status status = check_ending(window.screenshot, {".png"}); !status.ok()) return status;
+    }
+    return engines.check();
+  }
+
   ExitCode complain_of_display(const std::string& why) const {
-    static_cast<void>(complain({StatusCode::bad_input,
-                                text("There is no display with OpenGL 3.3 to open a window on (", why,
-                                     "). A picture needs none:\n  ", render_command()),
-                                std::nullopt, 0, 0, ""}));
+    say(text("There is no display with OpenGL 3.3 to open a window on (", why, "). A picture needs none:\n  ",
+             render_command()));
     return kNoDisplay;
   }
 
@@ -71,16 +78,26 @@ void add_view(CLI::App& program, ExitCode& exit_code) {
   auto view = std::make_shared<View>();
   command->add_option("FILE", view->file, "A recording; without one, a scene is run");
   view->scene.add_to(*command);
-  view->engines.add_to(*command, "stream");
-  command->add_option("--frames", view->window.frames,
-                      "Updates after frame 0, then end [no end; 0 with --screenshot]");
+  view->engines.add_to(*command, EngineFlags::Times::not_shown, "stream");
+  command->add_option("--frames", view->window.frames, "Updates after frame 0, then end")
+      ->check(count())
+      ->type_name("N")
+      ->default_str("no end; 0 with --screenshot");
   command
       ->add_option("--screenshot", view->window.screenshot,
                    "Show no window, but write what is in it at the end as a PNG file")
       ->type_name("FILE");
-  command->add_option("--width", view->window.width, "Pixels across")->capture_default_str();
-  command->add_option("--height", view->window.height, "Pixels down")->capture_default_str();
+  command->add_option("--width", view->window.width, "Pixels across")
+      ->check(count(640, 8192))
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--height", view->window.height, "Pixels down")
+      ->check(count(240, 8192))
+      ->type_name("N")
+      ->capture_default_str();
   command->add_flag("--no-panel", view->no_panel, "Begin without the panel");
+  command->add_flag("--fat-boxes", view->window.stream_parts.fat_boxes, "Begin with the fat boxes of stream");
+  command->add_flag("--cells", view->window.stream_parts.cells, "Begin with the cells of stream");
   command->add_flag("--help-keys", view->window.help, "Begin with the help of the keys");
   command->footer(
       "H shows the keys. Exit code 5 where there is no display with OpenGL 3.3.\n"

@@ -1,119 +1,172 @@
 #include "app/engine_flags.h"
 
-#include <map>
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "app/checks.h"
+#include "app/output.h"
+#include "base/text.h"
+#include "report/engine_settings.h"
+#include "report/hand_over.h"
+#include "report/oracle.h"
+#include "report/units.h"
 
 namespace cellsweep::app {
+namespace {
 
-void EngineFlags::add_to(CLI::App& command, std::string only) {
-  if (only.empty()) {
-    for (const EngineInfo& info : engine_table()) names_.emplace_back(info.name);
-  } else {
-    names_.push_back(std::move(only));
+constexpr const char* kGroup = "Settings of engines";
+constexpr std::string_view kThreads = "threads";
+constexpr std::string_view kCycles = "cycles";
+constexpr std::string_view kSpeEngine = "spe_engine";
+constexpr std::array<std::string_view, 2> kAboutTimes = {kCycles, "cycle_parameter"};
+
+bool is_about_times(const SharedSetting& setting) {
+  return std::find(kAboutTimes.begin(), kAboutTimes.end(), setting.info.name) != kAboutTimes.end();
+}
+
+std::vector<std::string_view> engines_with(std::string_view setting) {
+  std::vector<std::string_view> names;
+  for (const EngineInfo& engine : engine_table()) {
+    if (report::has_setting(engine, setting)) names.push_back(engine.name);
   }
-  command.add_option("--engine", names_, "Engines to run, separated by commas")
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  return names_text({names.begin(), names.end()});
+}
+
+Status no_such_setting(std::string_view setting, const std::vector<std::string>& chosen) {
+  return Status::bad_option(std::string(setting),
+                            text(flag_of(setting), " is no setting of ", joined(chosen), "; it is one of ",
+                                 names_text(engines_with(setting)), "."));
+}
+
+Status check_cycles(const SettingValues& values) {
+  if (report::value_of(values, kCycles) != "true" || report::value_of(values, kSpeEngine) == "isa") return {};
+  return Status::bad_option(std::string(kCycles),
+                            "--cycles counts what real SPU code does; it needs --spe-engine isa, too.");
+}
+
+Status check_threads(const std::string& value) {
+  unsigned long long threads = 0;
+  const auto read = std::from_chars(value.data(), value.data() + value.size(), threads);
+  if (read.ec == std::errc() && threads <= kMostThreads) return {};
+  if (read.ec == std::errc::invalid_argument) return {};  // the library's to refuse
+  return Status::bad_option(
+      std::string(kThreads),
+      text("--threads is ", value, "; at most ", report::count_text(kMostThreads), " are started."), threads,
+      kMostThreads);
+}
+
+// Why an engine that nobody asked for by name is better not run with so many bodies; empty when it may.
+std::string reason_to_leave_out(const Broadphase& engine, std::size_t bodies) {
+  const Capacity capacity = engine.capacity();
+  if (bodies > capacity.bodies)
+    return text("it holds ", report::count_text(capacity.bodies), " bodies (", capacity.reason, ")");
+  if (engine.name() == report::kOracle && bodies > report::kMostBodiesOfOracle)
+    return text("with more than ", report::count_text(report::kMostBodiesOfOracle),
+                " bodies a frame takes seconds. --engine ", report::kOracle, " runs it all the same");
+  return {};
+}
+
+}  // namespace
+
+void EngineFlags::add_to(CLI::App& command, Times times, std::string only) {
+  const bool whole_table = only.empty();
+  if (!whole_table) names_.push_back(std::move(only));
+  command.add_option("--engine", names_, "Engines, separated by commas")
       ->delimiter(',')
       ->type_name("NAME[,NAME...]")
-      ->capture_default_str();
-  command
-      .add_option("--threads", options_.threads,
-                  "Worker threads of engines that have them; 0: the engine chooses")
-      ->capture_default_str();
-  static const std::map<std::string, VectorIsa> kIsas = {{"best", VectorIsa::best},
-                                                         {"portable", VectorIsa::portable},
-                                                         {"sse4.1", VectorIsa::sse41},
-                                                         {"avx2", VectorIsa::avx2},
-                                                         {"avx512", VectorIsa::avx512}};
-  command
-      .add_option("--isa", options_.isa,
-                  "stream: instruction set of its kernels: best, portable, sse4.1, avx2 or avx512")
-      ->transform(CLI::CheckedTransformer(kIsas, CLI::ignore_case).description(""))
-      ->type_name("NAME")
-      ->default_str("best");
-  command
-      .add_option("--max-pairs", options_.max_pairs,
-                  "stream: an update that finds more pairs is refused; 0: no limit")
-      ->capture_default_str();
-  command.add_flag("--on-spes", options_.on_spes,
-                   "stream: its cells go through the local stores of SPEs; flags of the Cell engines hold");
-  command.add_flag("--literal", options_.literal,
-                   "control, cell-paper: the document's logic to the letter, misses and all (not exact)");
-  command
-      .add_option("--pair-map-bytes", options_.pair_map_bytes,
-                  "control, cell-paper: memory its map of all possible pairs may take, such as 512M")
-      ->transform(CLI::AsSizeValue(false))
-      ->type_name("SIZE")
-      ->capture_default_str();
-  add_cell_flags(command);
+      ->default_str(whole_table ? text("all that hold so many bodies, the oracle up to ",
+                                       report::count_text(report::kMostBodiesOfOracle))
+                                : names_.front());
+  for (const SharedSetting& setting : shared_settings()) {
+    if (times == Times::shown || !is_about_times(setting)) add_setting(command, setting);
+  }
+  if (times == Times::shown && !engines_with(kCycles).empty()) add_ppu_flags(command);
 }
 
-void EngineFlags::add_cell_flags(CLI::App& command) {
-  static const std::map<std::string, DmaMode> kModes = {
-      {"eager", DmaMode::eager}, {"late", DmaMode::late}, {"unchecked", DmaMode::unchecked}};
-  static const std::map<std::string, SpeEngine> kSpeEngines = {{"host", SpeEngine::host},
-                                                               {"isa", SpeEngine::isa}};
-  command.add_option("--method", options_.method, "cell-paper: the document's overlap test, 1 or 2")
-      ->capture_default_str();
-  command.add_option("--spus", options_.spus, "Cell engines: SPUs that work; 0: the engine chooses")
-      ->capture_default_str();
-  command
-      .add_option("--local-store", options_.local_store_bytes,
-                  "Cell engines: local store of an SPE, such as 128K, or off")
-      ->transform(CLI::AsSizeValue(false).description(""))
-      ->transform(CLI::Transformer(std::map<std::string, std::string>{{"off", "0"}}).description(""))
-      ->type_name("SIZE|off")
-      ->capture_default_str();
-  command
-      .add_option(
-          "--spe-engine", options_.spe_engine,
-          "Cell engines: SPU programs compiled for this machine (host), or for a real SPU and executed\n"
-          "instruction by instruction (isa)")
-      ->transform(CLI::CheckedTransformer(kSpeEngines, CLI::ignore_case).description(""))
-      ->type_name("host|isa")
-      ->default_str("host");
-  command.add_option("--dma", options_.dma, "Cell engines: when transfers move: eager, late or unchecked")
-      ->transform(CLI::CheckedTransformer(kModes, CLI::ignore_case).description(""))
-      ->type_name("MODE")
-      ->default_str("eager");
-  command.add_option("--dma-seed", options_.dma_seed, "Cell engines: the order of late transfers")
-      ->capture_default_str();
-  command.add_flag("--list-dma", options_.list_dma, "cell-paper: results by DMA list, not in chunks");
-  command.add_flag("--spu-boxes", options_.spu_boxes,
-                   "cell-resident: given poses, it makes their boxes on the SPUs");
-  command
-      .add_option("--trace", options_.trace_file,
-                  "Write a timeline that opens in Perfetto: phases, and SPEs with their transfers and waits")
-      ->type_name("FILE");
+void EngineFlags::add_setting(CLI::App& command, const SharedSetting& setting) {
+  const SettingInfo& info = setting.info;
+  const std::string flag = flag_of(info.name);
+  const auto take = [this, info](const std::string& typed) {
+    values_.emplace_back(info.name, value_from_typed(info, typed));
+  };
+  if (info.kind == SettingKind::flag) {
+    command
+        .add_flag_callback(
+            flag, [take] { take("true"); }, help_of(setting))
+        ->group(kGroup);
+    return;
+  }
+  const auto take_all = [take](const std::vector<std::string>& typed) {
+    for (const std::string& one : typed) take(one);
+  };
+  auto* option = command.add_option_function<std::vector<std::string>>(flag, take_all, help_of(setting));
+  option->type_name(value_name(info))->allow_extra_args(false)->group(kGroup);
+  if (info.kind == SettingKind::texts) {
+    option->take_all();
+  } else {
+    option->expected(1);
+  }
 }
 
-void EngineFlags::add_cycle_flags(CLI::App& command) {
-  command.add_flag("--cycles", options_.cycles,
-                   "Cell engines with --spe-engine isa: what the SPEs would take on a Cell, step by step");
-  command
-      .add_option("--cycle-parameter", options_.cycle_parameters,
-                  "With --cycles: change a number of the model; spu-run --list-cycle-parameters names them")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false)
-      ->take_all();
+void EngineFlags::add_ppu_flags(CLI::App& command) {
   command
       .add_option("--ppu-factor", ppu_costs_.factor,
                   "With --cycles: what takes 1 here takes so much on a Cell's PPU (assumed)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number(0))
       ->type_name("FACTOR")
+      ->group(kGroup)
       ->capture_default_str();
   command
       .add_option("--spu-start-us", ppu_costs_.spu_start_us,
                   "With --cycles: microseconds to start a frame's SPE threads (the document's static floor)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number(0))
       ->type_name("MICROSECONDS")
+      ->group(kGroup)
       ->capture_default_str();
 }
 
-Result<Engines> EngineFlags::make() const {
-  Engines engines;
-  for (const std::string& name : names_) {
-    auto engine = make_engine(name, options_);
+std::vector<std::string> EngineFlags::names() const {
+  if (!names_.empty()) return names_;
+  std::vector<std::string> all;
+  for (const EngineInfo& info : engine_table()) all.emplace_back(info.name);
+  return all;
+}
+
+Status EngineFlags::check() const {
+  const std::vector<std::string> chosen = names();
+  for (const std::string& name : chosen) {
+    if (find_engine(name) == nullptr) return make_broadphase(name).status();
+  }
+  for (const auto& [setting, value] : values_) {
+    const bool anyone_has_it =
+        std::any_of(chosen.begin(), chosen.end(), [&, &wanted = setting](const std::string& name) {
+          return report::has_setting(*find_engine(name), wanted);
+        });
+    if (!anyone_has_it) return no_such_setting(setting, chosen);
+    if (setting != kThreads) continue;
+    if (Status status = check_threads(value); !status.ok()) return status;
+  }
+  return check_cycles(values_);
+}
+
+Result<std::vector<report::FedEngine>> EngineFlags::make(std::size_t bodies) const {
+  if (Status status = check(); !status.ok()) return status;
+  std::vector<report::FedEngine> engines;
+  for (const std::string& name : names()) {
+    const SettingValues settings = report::values_for(name, values_);
+    auto engine = make_broadphase(name, settings);
     if (!engine) return engine.status();
-    engines.push_back(std::move(*engine));
+    const std::string reason = names_.empty() ? reason_to_leave_out(*engine, bodies) : std::string();
+    if (reason.empty()) {
+      engines.push_back({std::move(*engine), report::shape_of(settings)});
+    } else {
+      say(text("Engine ", name, " is left out: ", reason, "."));
+    }
   }
   return engines;
 }

@@ -3,44 +3,50 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <memory>
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "app/setting_flags.h"
 #include "cellsweep/engines.h"
 #include "report/cell_time.h"
-#include "report/run_engine.h"
+#include "report/verify.h"
 
 namespace cellsweep::app {
 
-using Engines = std::vector<std::unique_ptr<Broadphase>>;
-
-/// Adds --engine, --threads and the settings of single engines to a command, and makes what they ask for.
+/// Adds --engine, and a flag for every setting that an engine of the table has, to a command, and makes what
+/// they ask for. A setting goes to the chosen engines that have it; one that none of them has is refused.
 class EngineFlags {
  public:
+  /// What a command is for: one that shows no frames' times has no use for those of a Cell.
+  enum class Times { shown, not_shown };
+
   /// `only` as the default of --engine; empty: the whole table.
-  void add_to(CLI::App& command, std::string only = {});
+  void add_to(CLI::App& command, Times times, std::string only = {});
 
-  /// Adds --cycles and what goes with it, for commands that show frames' times.
-  void add_cycle_flags(CLI::App& command);
+  /// The engines chosen; without --engine, and no other default, all of the table.
+  std::vector<std::string> names() const;
 
-  const std::vector<std::string>& names() const { return names_; }
-  const EngineOptions& options() const { return options_; }
+  /// Every setting that was given, whichever engines have it.
+  const SettingValues& values() const { return values_; }
 
-  /// What the engines are to be given.
-  report::Shape shape() const { return options_.spu_boxes ? report::Shape::poses : report::Shape::boxes; }
+  /// Whether the chosen engines are there, and each setting is one that one of them has. Errors: bad_option.
+  Status check() const;
 
   /// What is not simulated of a Cell is to cost.
   const report::PpuCosts& ppu_costs() const { return ppu_costs_; }
 
-  /// One empty engine a name. Errors: those of make_engine().
-  Result<Engines> make() const;
+  /// One empty engine a name. When the whole table is meant, those that do not hold so many bodies are left
+  /// out, and the oracle where it would take long; standard error says which. Errors: those of check() and
+  /// make_broadphase().
+  Result<std::vector<report::FedEngine>> make(std::size_t bodies) const;
 
  private:
-  void add_cell_flags(CLI::App& command);
+  void add_setting(CLI::App& command, const SharedSetting& setting);
+  void add_ppu_flags(CLI::App& command);
 
   std::vector<std::string> names_;
-  EngineOptions options_;
+  SettingValues values_;
   report::PpuCosts ppu_costs_;
 };
 

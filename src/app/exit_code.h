@@ -9,10 +9,11 @@ namespace cellsweep::app {
 enum ExitCode : int {
   kGood = 0,
   kResultsDiffer = 1,
-  kBadUsage = 2,   ///< bad arguments or bad input
-  kCapacity = 3,   ///< more than an engine holds
-  kSpeFailed = 4,  ///< an SPE broke a rule of the hardware, or could not be started
-  kNoDisplay = 5,  ///< `view` found no display with OpenGL 3.3
+  kBadUsage = 2,       ///< bad arguments or bad input
+  kCapacity = 3,       ///< more than an engine holds
+  kSpeFailed = 4,      ///< an SPE broke a rule of the hardware, or could not be started
+  kNoDisplay = 5,      ///< `view` found no display with OpenGL 3.3
+  kInterrupted = 130,  ///< stopped by Ctrl-C; what there was is written
 };
 
 /// The exit code for a status that is not ok.

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <istream>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::app {
 
@@ -26,12 +26,8 @@ std::string numbered_png(std::size_t frame) {
 }
 
 Status unreached_frame_status(std::size_t wanted, std::size_t last) {
-  return {StatusCode::bad_input,
-          text("Frame ", wanted, " was to be drawn, but the last frame is ", last, "."),
-          std::nullopt,
-          wanted,
-          last,
-          "frame"};
+  return Status::bad_input(text("Frame ", wanted, " was to be drawn, but the last frame is ", last, "."),
+                           "frame", wanted, last);
 }
 
 }  // namespace cellsweep::app

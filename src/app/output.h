@@ -16,7 +16,15 @@ void print_text(const std::string& text);
 /// Writes one JSON object to standard output.
 void print_json(const nlohmann::ordered_json& json);
 
-/// Writes the message to standard error and returns the exit code that goes with it.
+/// Writes a sentence to standard error.
+void say(const std::string& sentence);
+
+/// Writes the message to standard error, with flags where it names settings, and returns the exit code that
+/// goes with it.
 ExitCode complain(const Status& status);
+
+/// The exit code of a command that is done; when it was interrupted, kInterrupted, once standard error says
+/// that and what became of the rest.
+ExitCode end_with(ExitCode code, const std::string& when_interrupted);
 
 }  // namespace cellsweep::app

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 
 namespace cellsweep::app {
 

@@ -1,32 +1,253 @@
 #include "cellsweep/broadphase.h"
 
-#include "broadphase/text.h"
+#include <new>
+#include <utility>
+
+#include "base/tuning.h"
+#include "broadphase/bodies/bodies.h"
+#include "broadphase/pairs/pair_order.h"
+#include "broadphase/pairs/pair_set.h"
+#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/timeline.h"
+#include "engines/common/handle_parts.h"
 
 namespace cellsweep {
-namespace {
 
-Status no_poses_status(std::string_view engine) {
-  return {StatusCode::bad_option,
-          text("Engine ", engine,
-               " makes no boxes from poses; cell-resident does, when it is made with spu_boxes."),
-          std::nullopt,
-          0,
-          0,
-          "spu_boxes"};
+/// Admission, engine and pairs. Everything that can fail happens before anything shows.
+class [[gnu::visibility("hidden")]] Broadphase::Impl {
+ public:
+  Impl(HandleParts parts, std::unique_ptr<Engine> engine, std::shared_ptr<Timeline> timeline)
+      : parts_(std::move(parts)),
+        timeline_(std::move(timeline)),
+        engine_(std::move(engine)),
+        capacity_(engine_->capacity()) {
+    if (timeline_) row_ = {timeline_.get(), timeline_->add_row(parts_.row_name)};
+  }
+
+  template <class Call>
+  auto traced(const char* name, Call&& call) {
+    if (!timeline_) return call();
+    const TimelineScope scope(row_);
+    const TimelineSpan span(name);
+    return call();
+  }
+
+  Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
+    return traced("insert", [&] { return bodies_.insert(ids, boxes, parts_.name, capacity_); });
+  }
+  Status add(std::span<const Aabb> boxes, std::span<BodyId> ids) {
+    return traced("insert", [&] { return bodies_.add(boxes, ids, parts_.name, capacity_); });
+  }
+  Status move(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
+    return traced("move", [&] {
+      crew_.plan(ids.size(), tuning::kMoveGuess);
+      return bodies_.move(crew_, ids, boxes);
+    });
+  }
+  Status remove(std::span<const BodyId> ids) {
+    return traced("remove", [&] { return bodies_.remove(ids); });
+  }
+  Result<PairChanges> update() {
+    return traced("update", [&] { return update_now(); });
+  }
+
+  std::string_view name() const { return parts_.name; }
+  const Capacity& capacity() const { return capacity_; }
+  const Bodies& bodies() const { return bodies_; }
+  std::span<const Pair> pairs() const { return pairs_.pairs(); }
+  const Statistics& statistics() const { return statistics_; }
+  Engine& engine() { return *engine_; }
+
+ private:
+  /// Takes the changes out of the boxes again, unless the update has come to its end.
+  class Attempt {
+   public:
+    explicit Attempt(Impl& impl) : impl_(impl), changes_(impl.bodies_.begin_update()) {}
+    Attempt(const Attempt&) = delete;
+    Attempt& operator=(const Attempt&) = delete;
+    ~Attempt() {
+      if (succeeded_) return;
+      impl_.bodies_.undo();
+      impl_.engine_is_lost_ = true;
+    }
+    const BodyChanges& changes() const { return changes_; }
+    void succeed() { succeeded_ = true; }
+
+   private:
+    Impl& impl_;
+    BodyChanges changes_;
+    bool succeeded_ = false;
+  };
+
+  Result<PairChanges> update_now();
+  Status renew_engine();
+  void name_changes(const FoundPairs& found);
+  void tidy();
+
+  HandleParts parts_;
+  std::shared_ptr<Timeline> timeline_;  // goes after the engine, whose SPEs end before it is written
+  TimelineRow row_;
+  std::unique_ptr<Engine> engine_;
+  bool engine_is_lost_ = false;  // after a failure; the next update makes a new one
+  Capacity capacity_;
+  Crew& crew_ = *parts_.crew;
+  Bodies bodies_;
+  PairOrder order_;
+  PairSet pairs_;
+  std::size_t bytes_ = 0;  // of bodies and pairs
+  Statistics statistics_;
+};
+
+Result<PairChanges> Broadphase::Impl::update_now() {
+  pairs_.remember_changes();
+  const bool anew = engine_is_lost_;
+  if (anew) {
+    if (Status status = renew_engine(); !status.ok()) return status;
+  }
+  Attempt attempt(*this);
+  statistics_.bytes = 0;
+  const auto found = engine_->update(anew ? bodies_.all_as_new() : attempt.changes(), statistics_);
+  if (!found) return found.status();
+  if (!anew && attempt.changes().none() && found->none()) {
+    attempt.succeed();
+    bodies_.commit();
+    ++statistics_.updates;
+    statistics_.bytes += bytes_;
+    return pairs_.commit_nothing();
+  }
+  name_changes(*found);
+  if (anew || found->is_whole_set) pairs_.compare_with_whole_set(bodies_.removed_ids());
+  attempt.succeed();
+  engine_is_lost_ = false;
+  bodies_.commit();
+  ++statistics_.updates;
+  const PairChanges changes = pairs_.commit();
+  bytes_ = bodies_.bytes() + order_.bytes() + pairs_.bytes();
+  statistics_.bytes += bytes_;
+  tidy();
+  return changes;
 }
 
-}  // namespace
-
-Status Broadphase::insert_poses(std::span<const BodyId>, std::span<const BodyPose>) {
-  return no_poses_status(name());
+Status Broadphase::Impl::renew_engine() {
+  auto engine = parts_.maker();
+  if (!engine) return engine.status();
+  engine_ = std::move(*engine);
+  return {};
 }
 
-Status Broadphase::move_poses(std::span<const BodyId>, std::span<const BodyPose>) {
-  return no_poses_status(name());
+void Broadphase::Impl::name_changes(const FoundPairs& found) {
+  order_.name_pairs(crew_, bodies_.table(), found.began, found.more_began, pairs_.next_began());
+  order_.name_pairs(crew_, bodies_.table(), found.ended, {}, pairs_.next_ended());
 }
 
-Status Broadphase::boxes(std::span<const BodyId>, std::span<Aabb>) const {
-  return no_poses_status(name());
+// Memory comes back where most bodies have gone. There is time for it later, too.
+void Broadphase::Impl::tidy() {
+  try {
+    if (bodies_.tidy()) engine_is_lost_ = true;
+  } catch (const std::bad_alloc&) {
+  }
+}
+
+Result<Broadphase> EngineAccess::make(HandleParts parts) {
+  auto engine = parts.maker();
+  if (!engine) return engine.status();
+  std::shared_ptr<Timeline> timeline;
+  if (!parts.trace.empty()) {
+    auto opened = Timeline::open(parts.trace);
+    if (!opened) return opened.status();
+    timeline = std::move(*opened);
+  }
+  if (!parts.crew) parts.crew = std::make_shared<Crew>(nullptr, 1, Crew::Choice::given);
+  return Broadphase(
+      std::make_unique<Broadphase::Impl>(std::move(parts), std::move(*engine), std::move(timeline)));
+}
+
+Result<Broadphase> EngineAccess::make(std::string_view name, EngineMaker maker, const std::string& trace,
+                                      std::string row_name) {
+  return make({name, std::move(maker), nullptr, trace, std::move(row_name)});
+}
+
+Broadphase::Broadphase(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Broadphase::Broadphase(Broadphase&& other) noexcept = default;
+Broadphase& Broadphase::operator=(Broadphase&& other) noexcept = default;
+Broadphase::~Broadphase() = default;
+
+std::string_view Broadphase::name() const {
+  return impl_->name();
+}
+
+Capacity Broadphase::capacity() const {
+  return impl_->capacity();
+}
+
+Status Broadphase::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
+  return impl_->insert(ids, boxes);
+}
+
+Status Broadphase::insert(BodyId id, const Aabb& box) {
+  return impl_->insert({&id, 1}, {&box, 1});
+}
+
+Status Broadphase::add(std::span<const Aabb> boxes, std::span<BodyId> ids) {
+  return impl_->add(boxes, ids);
+}
+
+Result<BodyId> Broadphase::add(const Aabb& box) {
+  BodyId id = 0;
+  if (Status status = impl_->add({&box, 1}, {&id, 1}); !status.ok()) return status;
+  return id;
+}
+
+Status Broadphase::move(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
+  return impl_->move(ids, boxes);
+}
+
+Status Broadphase::move(BodyId id, const Aabb& box) {
+  return impl_->move({&id, 1}, {&box, 1});
+}
+
+Status Broadphase::remove(std::span<const BodyId> ids) {
+  return impl_->remove(ids);
+}
+
+Status Broadphase::remove(BodyId id) {
+  return impl_->remove({&id, 1});
+}
+
+Result<PairChanges> Broadphase::update() {
+  return impl_->update();
+}
+
+std::span<const Pair> Broadphase::pairs() const {
+  return impl_->pairs();
+}
+
+Status Broadphase::boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const {
+  return impl_->bodies().boxes(ids, boxes);
+}
+
+std::size_t Broadphase::size() const {
+  return impl_->bodies().size();
+}
+
+bool Broadphase::contains(BodyId id) const {
+  return impl_->bodies().table().find(id) != kNoSlot;
+}
+
+const Statistics& Broadphase::statistics() const {
+  return impl_->statistics();
+}
+
+Engine& EngineAccess::engine_of(Broadphase& broadphase) {
+  return broadphase.impl_->engine();
+}
+
+const Engine& EngineAccess::engine_of(const Broadphase& broadphase) {
+  return broadphase.impl_->engine();
+}
+
+std::span<const Aabb> EngineAccess::boxes_of(const Broadphase& broadphase) {
+  return broadphase.impl_->bodies().all_boxes();
 }
 
 }  // namespace cellsweep

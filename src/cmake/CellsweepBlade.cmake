@@ -15,14 +15,14 @@ else()
   set_target_properties(cellsweep_libspe2 PROPERTIES OUTPUT_NAME spe2 SOVERSION 2)
 endif()
 
-# The same objects as the emulated command's, but for what gives them their SPEs.
+# The same objects as the emulated command's, but for what gives them their SPEs: of all libraries, and of spu_emu none.
 get_property(programs GLOBAL PROPERTY CELLSWEEP_SPU_PROGRAMS)
 list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>")
 add_executable(
   cellsweep_on_libspe2
   engines/cell/libspe2_spes.cpp $<TARGET_OBJECTS:cellsweep_app> $<TARGET_OBJECTS:cellsweep_view>
-  $<TARGET_OBJECTS:cellsweep_report>
-  $<FILTER:$<TARGET_OBJECTS:cellsweep>,EXCLUDE,spu_emu_emulation> ${programs})
+  $<TARGET_OBJECTS:cellsweep_report> $<TARGET_OBJECTS:cellsweep_world> $<TARGET_OBJECTS:cellsweep>
+  $<FILTER:$<TARGET_OBJECTS:cellsweep_cell>,EXCLUDE,spu_emu_emulation> ${programs})
 cellsweep_target(cellsweep_on_libspe2)
 target_include_directories(cellsweep_on_libspe2 PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
 target_include_directories(cellsweep_on_libspe2 SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/spu_emu/include)

@@ -11,6 +11,33 @@ function(cellsweep_target target)
   endif()
 endfunction()
 
+# cellsweep_library(TARGET): a library that users link: its headers, position-independent, nothing shown but what is
+# marked with CELLSWEEP_API, a version in the name of a shared one.
+function(cellsweep_library target)
+  target_include_directories(
+    ${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  string(REGEX REPLACE "^cellsweep_" "" name ${target})
+  set_target_properties(
+    ${target}
+    PROPERTIES POSITION_INDEPENDENT_CODE ON
+               CXX_VISIBILITY_PRESET hidden
+               VISIBILITY_INLINES_HIDDEN ON
+               VERSION ${PROJECT_VERSION}
+               SOVERSION ${PROJECT_VERSION_MAJOR}
+               EXPORT_NAME ${name})
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL "SHARED_LIBRARY")
+    cellsweep_show_only_the_face(${target})
+  endif()
+endfunction()
+
+# cellsweep_show_only_the_face(TARGET): of a shared library, so that nobody links what is not meant for him.
+function(cellsweep_show_only_the_face target)
+  target_link_options(${target} PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/src/cmake/exports.map
+                      -Wl,--no-undefined)
+  set_target_properties(${target} PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/src/cmake/exports.map)
+endfunction()
+
 # cellsweep_quick_to_compile(TARGET): for targets whose own code is not what anybody waits for, above all tests and
 # the command line: little optimisation, in builds that have any.
 function(cellsweep_quick_to_compile target)

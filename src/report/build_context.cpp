@@ -33,4 +33,8 @@ std::vector<std::pair<std::string, std::string>> build_context() {
           {"flags", CELLSWEEP_FLAGS}, {"commit", CELLSWEEP_COMMIT}};
 }
 
+std::string version_text() {
+  return "cellsweep " CELLSWEEP_VERSION ", commit " CELLSWEEP_COMMIT;
+}
+
 }  // namespace cellsweep::report

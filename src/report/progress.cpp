@@ -28,7 +28,8 @@ void Progress::show(std::size_t done) {
   if (now < next_) return;
   next_ = now + kPause;
   shown_ = true;
-  std::fprintf(stderr, "\r\033[K%s: %zu of %zu", what_.c_str(), done, total_);
+  std::fprintf(stderr, "\r\033[K%s: %zu", what_.c_str(), done);
+  if (total_ != kOpenEnd) std::fprintf(stderr, " of %zu", total_);
   std::fflush(stderr);
 }
 

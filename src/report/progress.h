@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace cellsweep::report {
@@ -12,6 +13,9 @@ namespace cellsweep::report {
 /// wiped when the object goes.
 class Progress {
  public:
+  /// For work whose end is not known before.
+  static constexpr std::size_t kOpenEnd = std::numeric_limits<std::size_t>::max();
+
   Progress(std::string what, std::size_t total);
   ~Progress();
   Progress(const Progress&) = delete;

@@ -1,86 +1,94 @@
 #include "report/run_engine.h"
 
 #include <algorithm>
-#include <chrono>
-#include <numeric>
 #include <set>
+#include <utility>
 
-#include "broadphase/text.h"
-#include "engines/thread_clock.h"
+#include "base/text.h"
+#include "report/all_engines.h"
+#include "report/frame_clock.h"
+#include "report/interrupt.h"
 #include "report/progress.h"
 
 namespace cellsweep::report {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-double setup_milliseconds(const Broadphase& engine) {
-  double sum = 0;
-  for (const Phase& phase : engine.statistics().phases) sum += phase.setup ? phase.milliseconds : 0;
-  return sum;
-}
-
-/// One frame's work: on the clock, without set-up; and the CPU time of the calling thread, with it.
-struct FrameTime {
-  double frame_ms = 0;
-  double cpu_ms = 0;
-};
-
-template <class HandOver>
-Status timed_frame(Broadphase& engine, RunReport& report, FrameTime& time, HandOver&& hand_over) {
-  const double cpu_start = thread_cpu_milliseconds();
-  const Clock::time_point start = Clock::now();
-  if (Status status = hand_over(); !status.ok()) return status;
-  if (const auto changes = engine.update(); !changes) return changes.status();
-  const double total = milliseconds_since(start);
-  time.cpu_ms = thread_cpu_milliseconds() - cpu_start;
-  const double setup = setup_milliseconds(engine);
-  report.setup_ms += setup;
-  time.frame_ms = total - setup;
-  return {};
-}
-
-void report_cell(const Broadphase& engine, std::size_t frame, std::size_t moved, double cpu_ms,
-                 RunReport& report) {
-  const std::optional<CellTime>& cell = engine.statistics().cell;
-  if (!cell) return;
-  report.cell.push_back(
-      {frame, moved, cell->spes, std::max(0.0, cpu_ms - cell->set_aside_ms), cell->threads_started});
-}
-
-void report_frame(const Broadphase& engine, std::size_t frame, RunReport& report) {
-  report.frames.push_back({frame, engine.pairs().size(), pair_set_hash(engine.pairs())});
-}
-
 Status unreached_frame_status(std::size_t wanted, std::size_t last) {
-  return {StatusCode::bad_input,
-          text("Frame ", wanted, " was to be reported, but the last frame is ", last, "."),
-          std::nullopt,
-          wanted,
-          last,
-          "report-frames"};
+  return Status::bad_input(text("Frame ", wanted, " was to be reported, but the last frame is ", last, "."),
+                           "report_frames", wanted, last);
 }
 
-Status no_poses_status(const std::string& source) {
-  return {StatusCode::bad_input,
-          text("Source ", source, " has boxes only; no engine can make them from poses."),
-          std::nullopt,
-          0,
-          0,
-          "spu-boxes"};
-}
+/// A run from its first frame to its last.
+class Run {
+ public:
+  Run(Broadphase& engine, FrameSource& source, const RunSettings& settings)
+      : engine_(engine),
+        source_(source),
+        settings_(settings),
+        wanted_(settings.report_frames.begin(), settings.report_frames.end()) {
+    report_.engine = engine.name();
+    report_.bodies = source.boxes().size();
+  }
 
-template <class T>
-std::vector<T> of_moved(const FrameSource& source, std::span<const T> all) {
-  std::vector<T> some;
-  some.reserve(source.moved().size());
-  for (const BodyId id : source.moved()) some.push_back(all[id]);
-  return some;
-}
+  Result<RunReport> run() {
+    if (Status status = first_frame(); !status.ok()) return status;
+    if (Status status = later_frames(); !status.ok()) return status;
+    if (wanted_.empty() && frame_ > 0) report_pairs();
+    if (!wanted_.empty() && *wanted_.rbegin() > frame_ && !is_interrupted())
+      return unreached_frame_status(*wanted_.rbegin(), frame_);
+    return std::move(report_);
+  }
+
+ private:
+  Status first_frame() {
+    const auto time = timed([&] { return insert_all(engine_, source_, settings_.shape); });
+    if (!time) return time.status();
+    report_.initial_ms = *time;
+    return {};
+  }
+
+  Status later_frames() {
+    Progress progress(report_.engine, settings_.updates);
+    while (frame_ < settings_.updates && !is_interrupted() && source_.advance()) {
+      ++frame_;
+      const auto time = timed([&] { return move_changed(engine_, source_, settings_.shape); });
+      if (!time) return time.status();
+      report_.update_ms.push_back(*time);
+      progress.show(frame_);
+    }
+    return {};
+  }
+
+  /// Milliseconds of one frame's work, once it is reported.
+  Result<double> timed(const std::function<Status()>& hand_over) {
+    const auto frame = time_frame(engine_, hand_over);
+    if (!frame) return frame.status();
+    report_.setup_ms += frame->time.setup_ms;
+    report_cell(frame->time);
+    if (wanted_.empty() ? frame_ == 0 : wanted_.contains(frame_)) report_pairs();
+    return frame->time.work_ms();
+  }
+
+  void report_cell(const FrameTime& time) {
+    const auto statistics = statistics_of_spes(engine_);
+    if (!statistics || !statistics->time) return;
+    const std::size_t moved = frame_ == 0 ? report_.bodies : source_.moved().size();
+    report_.cell.push_back({frame_, moved, statistics->time->spes,
+                            std::max(0.0, time.cpu_ms - statistics->time->set_aside_ms),
+                            statistics->time->threads_started});
+  }
+
+  void report_pairs() {
+    report_.frames.push_back({frame_, engine_.pairs().size(), pair_set_hash(engine_.pairs())});
+  }
+
+  Broadphase& engine_;
+  FrameSource& source_;
+  const RunSettings& settings_;
+  std::set<std::size_t> wanted_;
+  std::size_t frame_ = 0;
+  RunReport report_;
+};
 
 }  // namespace
 
@@ -90,50 +98,8 @@ double CellFrame::longest_us() const {
   return longest;
 }
 
-Status insert_all(Broadphase& engine, const FrameSource& source, Shape shape) {
-  std::vector<BodyId> ids(source.boxes().size());
-  std::iota(ids.begin(), ids.end(), BodyId{0});
-  if (shape == Shape::boxes) return engine.insert(ids, source.boxes());
-  if (source.poses().size() != ids.size()) return no_poses_status(source.name());
-  return engine.insert_poses(ids, source.poses());
-}
-
-Status move_changed(Broadphase& engine, const FrameSource& source, Shape shape) {
-  if (shape == Shape::boxes) return engine.move(source.moved(), of_moved(source, source.boxes()));
-  return engine.move_poses(source.moved(), of_moved(source, source.poses()));
-}
-
 Result<RunReport> run_engine(Broadphase& engine, FrameSource& source, const RunSettings& settings) {
-  RunReport report;
-  report.engine = engine.name();
-  report.bodies = source.boxes().size();
-  const std::set<std::size_t> wanted(settings.report_frames.begin(), settings.report_frames.end());
-  const auto is_wanted = [&](std::size_t frame) {
-    return wanted.empty() ? frame == 0 : wanted.contains(frame);
-  };
-
-  FrameTime time;
-  Status status =
-      timed_frame(engine, report, time, [&] { return insert_all(engine, source, settings.shape); });
-  if (!status.ok()) return status;
-  report.initial_ms = time.frame_ms;
-  report_cell(engine, 0, report.bodies, time.cpu_ms, report);
-  if (is_wanted(0)) report_frame(engine, 0, report);
-
-  Progress progress(report.engine, settings.updates);
-  std::size_t frame = 0;
-  while (frame < settings.updates && source.advance()) {
-    ++frame;
-    status = timed_frame(engine, report, time, [&] { return move_changed(engine, source, settings.shape); });
-    if (!status.ok()) return status;
-    report.update_ms.push_back(time.frame_ms);
-    report_cell(engine, frame, source.moved().size(), time.cpu_ms, report);
-    if (is_wanted(frame)) report_frame(engine, frame, report);
-    progress.show(frame);
-  }
-  if (wanted.empty() && frame > 0) report_frame(engine, frame, report);
-  if (!wanted.empty() && *wanted.rbegin() > frame) return unreached_frame_status(*wanted.rbegin(), frame);
-  return report;
+  return Run(engine, source, settings).run();
 }
 
 }  // namespace cellsweep::report

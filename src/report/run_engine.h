@@ -7,13 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "cellsweep/broadphase.h"
-#include "cellsweep/frame_source.h"
+#include "cellsweep/cell.h"
+#include "cellsweep/world/frame_source.h"
+#include "report/hand_over.h"
 
 namespace cellsweep::report {
-
-/// What an engine is handed: boxes, or poses of which it makes the boxes itself (F3).
-enum class Shape { boxes, poses };
 
 struct RunSettings {
   std::size_t updates = 0;                 ///< frames after frame 0; fewer when the source ends before
@@ -49,18 +47,11 @@ struct RunReport {
   double setup_ms = 0;
   std::vector<double> update_ms;  ///< one an update after frame 0
   std::vector<FrameReport> frames;
-  std::vector<CellFrame> cell;  ///< every frame, when the engine counts it (EngineOptions::cycles)
+  std::vector<CellFrame> cell;  ///< every frame, when the engine counts it (SpeOptions::cycles)
 };
 
-/// Runs an empty engine over the frames of a source that stands at frame 0. Errors: those of the engine, and
-/// bad_input for a report frame that the run does not reach.
+/// Runs an empty engine over the frames of a source that stands at frame 0; an interrupted run ends after the
+/// frame it is at. Errors: those of the engine, and bad_input for a report frame beyond the source's last.
 Result<RunReport> run_engine(Broadphase& engine, FrameSource& source, const RunSettings& settings);
-
-/// Hands all bodies of a source to an empty engine, as 0 … n − 1. Errors: those of the engine, and bad_input
-/// for poses of a source that knows none.
-Status insert_all(Broadphase& engine, const FrameSource& source, Shape shape = Shape::boxes);
-
-/// Hands an engine the bodies that changed in the frame the source stands at.
-Status move_changed(Broadphase& engine, const FrameSource& source, Shape shape = Shape::boxes);
 
 }  // namespace cellsweep::report

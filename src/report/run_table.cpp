@@ -1,6 +1,7 @@
 #include "report/run_table.h"
 
 #include "report/quantile.h"
+#include "report/units.h"
 
 namespace cellsweep::report {
 

@@ -1,8 +1,6 @@
 #include "report/table.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <utility>
 
 namespace cellsweep::report {
@@ -12,6 +10,12 @@ namespace {
 bool is_control(char c) {
   const auto code = static_cast<unsigned char>(c);
   return code < 0x20 || code == 0x7f;
+}
+
+// Of UTF-8, whose bytes behind a character's first begin with the bits 10.
+std::size_t width_of_text(const std::string& cell) {
+  return static_cast<std::size_t>(std::count_if(
+      cell.begin(), cell.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
 }  // namespace
@@ -29,14 +33,14 @@ void Table::add(std::vector<std::string> row) {
 
 std::size_t Table::width_of(std::size_t column) const {
   std::size_t width = 0;
-  for (const auto& row : rows_) width = std::max(width, row[column].size());
+  for (const auto& row : rows_) width = std::max(width, width_of_text(row[column]));
   return width;
 }
 
 std::string Table::line(const std::vector<std::string>& row) const {
   std::string result;
   for (std::size_t column = 0; column < row.size(); ++column) {
-    const std::string padding(width_of(column) - row[column].size(), ' ');
+    const std::string padding(width_of(column) - width_of_text(row[column]), ' ');
     if (column > 0) result += "  ";
     result += column < left_columns_ ? row[column] + padding : padding + row[column];
   }
@@ -52,17 +56,6 @@ std::string Table::text() const {
   std::string result = line(rows_.front()) + line(rule);
   for (std::size_t i = 1; i < rows_.size(); ++i) result += line(rows_[i]);
   return result;
-}
-
-std::string duration_text(double milliseconds) {
-  const double absolute = milliseconds < 0 ? -milliseconds : milliseconds;
-  const bool small = absolute < 1;
-  const double value = small ? milliseconds * 1000 : milliseconds;
-  const double size = small ? absolute * 1000 : absolute;
-  const int digits = size >= 100 ? 0 : size >= 10 ? 1 : 2;
-  std::array<char, 48> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.*f %s", digits, value, small ? "us" : "ms");
-  return buffer.data();
 }
 
 }  // namespace cellsweep::report

@@ -7,7 +7,8 @@
 
 namespace cellsweep::report {
 
-/// Columns are as wide as their widest cell; the first `left_columns` are aligned left, the others right.
+/// Columns are as wide as their widest cell, in characters of UTF-8; the first `left_columns` are aligned
+/// left, the others right.
 class Table {
  public:
   explicit Table(std::vector<std::string> head, std::size_t left_columns = 1);
@@ -25,8 +26,5 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
   std::size_t left_columns_;
 };
-
-/// A time in milliseconds with three significant digits and its unit: "186 ms", "8.50 us".
-std::string duration_text(double milliseconds);
 
 }  // namespace cellsweep::report

@@ -4,13 +4,13 @@
 #include <iterator>
 #include <system_error>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::report {
 namespace {
 
 Status file_status(const std::filesystem::path& path, std::string_view what) {
-  return {StatusCode::bad_input, text(path.string(), ": ", what, "."), std::nullopt, 0, 0, ""};
+  return Status::bad_input(text(path.string(), ": ", what, "."));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/text.h"
+
 namespace cellsweep::view {
 namespace {
 
@@ -28,6 +30,9 @@ constexpr std::array kBindings = {
     KeyBinding{'+', "+", Action::zoom_in, "nearer", true},
     KeyBinding{'-', "-", Action::zoom_out, "farther away", true},
     KeyBinding{'0', "0", Action::first_view, "the view of the beginning"},
+    KeyBinding{'F', "F", Action::show_fat_boxes, "fat boxes of stream on, off"},
+    KeyBinding{'C', "C", Action::show_cells, "cells of stream on, off"},
+    KeyBinding{'W', "W", Action::show_reason, "why something was refused, in full"},
     KeyBinding{'P', "P", Action::show_panel, "panel on, off"},
     KeyBinding{'H', "H", Action::show_help, "this help on, off"},
     KeyBinding{kEscape, "Esc", Action::quit, "end"},
@@ -86,6 +91,13 @@ void Controller::act(Action action) {
     case Action::first_view:
       camera_ = OrbitCamera(simulation_.bounds());
       return;
+    case Action::show_fat_boxes:
+      return show_of_stream(&StreamParts::fat_boxes);
+    case Action::show_cells:
+      return show_of_stream(&StreamParts::cells);
+    case Action::show_reason:
+      shows_reason_ = !shows_reason_;
+      return;
     case Action::show_panel:
       shows_panel_ = !shows_panel_;
       return;
@@ -122,8 +134,18 @@ void Controller::step() {
   paused_ = true;
 }
 
+// Where another engine runs they are not there to be seen, which is said; they show when stream runs again.
+void Controller::show_of_stream(bool StreamParts::*part) {
+  stream_parts_.*part = !(stream_parts_.*part);
+  const bool is_seen = !(stream_parts_.*part) || simulation_.stream_view();
+  note(is_seen ? Status{}
+               : Status::bad_option("engine", text("Engine ", simulation_.engine_name(),
+                                                   " has no fat boxes and cells; stream has.")));
+}
+
 void Controller::note(const Status& status) {
   complaint_ = status.message;
+  shows_reason_ = false;
 }
 
 // From the one that was tried last, so that one which cannot be had is passed by the next press.

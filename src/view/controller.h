@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "view/drawn_boxes.h"
 #include "view/orbit_camera.h"
 #include "view/simulation.h"
 
@@ -29,6 +30,9 @@ enum class Action {
   zoom_in,
   zoom_out,
   first_view,
+  show_fat_boxes,
+  show_cells,
+  show_reason,
   show_panel,
   show_help,
   quit,
@@ -76,9 +80,15 @@ class Controller {
 
   /// Why the last change was not made; empty after one that was.
   const std::string& complaint() const { return complaint_; }
+  /// Whether all of the complaint is wanted, or one line that says there is one.
+  bool shows_reason() const { return shows_reason_; }
+
+  /// What of `stream` is to be seen, whichever engine runs.
+  const StreamParts& stream_parts() const { return stream_parts_; }
 
  private:
   void step();
+  void show_of_stream(bool StreamParts::*part);
   void note(const Status& status);
   void change_engine(int by);
   void change_moving(double by);
@@ -89,6 +99,8 @@ class Controller {
   bool shows_panel_ = true;
   bool shows_help_ = false;
   bool wants_to_quit_ = false;
+  bool shows_reason_ = false;
+  StreamParts stream_parts_;
   std::string tried_engine_;  // by key; it may have been refused
   std::string complaint_;
 };

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cellsweep/eigen.h"
+#include "cellsweep/world/eigen.h"
 
 namespace cellsweep::view {
 

@@ -10,6 +10,8 @@ namespace {
 
 constexpr float kBarThickness = 0.0018F;  // in edges of the world
 constexpr Color kBarColor = {0.245F, 0.283F, 0.346F};
+constexpr Color kFatBoxColor = {0.02F, 0.33F, 0.72F};
+constexpr Color kCellColor = {0.80F, 0.30F, 0.02F};
 
 std::array<float, 4> unit_length(std::array<float, 4> q) {
   const float length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
@@ -35,6 +37,22 @@ void add_bars(const Aabb& world, std::vector<DrawnBox>& boxes) {
   }
 }
 
+// Cells at the rim of a grid may reach as far as floats do.
+LineBox cut_to(const Aabb& world, const Aabb& box, const Color& color) {
+  LineBox line{{}, {}, color};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float beyond = 0.25F * (world.max[axis] - world.min[axis]);
+    line.min[axis] = std::clamp(box.min[axis], world.min[axis] - beyond, world.max[axis] + beyond);
+    line.max[axis] = std::clamp(box.max[axis], world.min[axis] - beyond, world.max[axis] + beyond);
+  }
+  return line;
+}
+
+void add_lines(const std::vector<Aabb>& boxes, const Aabb& world, const Color& color,
+               std::vector<LineBox>& lines) {
+  for (const Aabb& box : boxes) lines.push_back(cut_to(world, box, color));
+}
+
 }  // namespace
 
 std::vector<DrawnBox> drawn_boxes(const Simulation& simulation) {
@@ -48,6 +66,16 @@ std::vector<DrawnBox> drawn_boxes(const Simulation& simulation) {
   }
   add_bars(simulation.bounds(), boxes);
   return boxes;
+}
+
+std::vector<LineBox> line_boxes(const Simulation& simulation, const StreamParts& parts) {
+  std::vector<LineBox> lines;
+  if (!parts.fat_boxes && !parts.cells) return lines;
+  const auto view = simulation.stream_view();
+  if (!view) return lines;
+  if (parts.fat_boxes) add_lines(view->fat_boxes, simulation.bounds(), kFatBoxColor, lines);
+  if (parts.cells) add_lines(view->cells, simulation.bounds(), kCellColor, lines);
+  return lines;
 }
 
 }  // namespace cellsweep::view

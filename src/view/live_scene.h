@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cellsweep/frame_source.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/frame_source.h"
+#include "cellsweep/world/scene.h"
 
 namespace cellsweep::view {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cellsweep/eigen.h"
+#include "cellsweep/world/eigen.h"
 
 namespace cellsweep::view {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "cellsweep/eigen.h"
+#include "cellsweep/world/eigen.h"
 #include "view/shaders.h"
 
 namespace cellsweep::view {
@@ -14,12 +14,14 @@ using Eigen::Vector3f;
 constexpr int kSunMapEdge = 2048;
 constexpr int kSkyMapEdge = 256;
 constexpr GLsizei kBoxVertexCount = 36;
+constexpr GLsizei kEdgeVertexCount = 24;
 constexpr Color kPaper = {0.912F, 0.926F, 0.940F};  // what the floor fades to
 const Vector3f kToSun = Vector3f(0.30F, 0.86F, 0.42F).normalized();
 
+template <class Instance>
 void add_attribute(GLuint number, GLint floats, std::size_t offset) {
   glEnableVertexAttribArray(number);
-  glVertexAttribPointer(number, floats, GL_FLOAT, GL_FALSE, sizeof(DrawnBox),
+  glVertexAttribPointer(number, floats, GL_FLOAT, GL_FALSE, sizeof(Instance),
                         reinterpret_cast<const void*>(offset));
   glVertexAttribDivisor(number, 1);
 }
@@ -30,6 +32,7 @@ Painter::Painter()
     : depth_({kBoxVertices}, {kNoColor}),
       boxes_({kBoxVertices}, {kLight, kBoxColor}),
       floor_({kFloorVertices}, {kLight, kFloorColor}),
+      lines_({kEdgeVertices}, {kLineColor}),
       sun_map_(kSunMapEdge),
       sky_map_(kSkyMapEdge) {
   glGenVertexArrays(1, &no_arrays_);
@@ -37,20 +40,29 @@ Painter::Painter()
   glBindVertexArray(arrays_);
   glGenBuffers(1, &buffer_);
   glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-  add_attribute(0, 3, offsetof(DrawnBox, centre));
-  add_attribute(1, 3, offsetof(DrawnBox, half_extents));
-  add_attribute(2, 4, offsetof(DrawnBox, orientation));
-  add_attribute(3, 3, offsetof(DrawnBox, color));
+  add_attribute<DrawnBox>(0, 3, offsetof(DrawnBox, centre));
+  add_attribute<DrawnBox>(1, 3, offsetof(DrawnBox, half_extents));
+  add_attribute<DrawnBox>(2, 4, offsetof(DrawnBox, orientation));
+  add_attribute<DrawnBox>(3, 3, offsetof(DrawnBox, color));
+  glGenVertexArrays(1, &line_arrays_);
+  glBindVertexArray(line_arrays_);
+  glGenBuffers(1, &line_buffer_);
+  glBindBuffer(GL_ARRAY_BUFFER, line_buffer_);
+  add_attribute<LineBox>(0, 3, offsetof(LineBox, min));
+  add_attribute<LineBox>(1, 3, offsetof(LineBox, max));
+  add_attribute<LineBox>(2, 3, offsetof(LineBox, color));
 }
 
 Painter::~Painter() {
+  glDeleteBuffers(1, &line_buffer_);
+  glDeleteVertexArrays(1, &line_arrays_);
   glDeleteBuffers(1, &buffer_);
   glDeleteVertexArrays(1, &arrays_);
   glDeleteVertexArrays(1, &no_arrays_);
 }
 
-void Painter::paint(std::span<const DrawnBox> boxes, const Aabb& world, const OrbitCamera& camera,
-                    GLuint framebuffer, const Viewport& viewport) {
+void Painter::paint(std::span<const DrawnBox> boxes, std::span<const LineBox> lines, const Aabb& world,
+                    const OrbitCamera& camera, GLuint framebuffer, const Viewport& viewport) {
   upload(boxes);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
@@ -76,6 +88,7 @@ void Painter::paint(std::span<const DrawnBox> boxes, const Aabb& world, const Or
   set_light(boxes_, world);
   draw_boxes(boxes_, to_clip);
   draw_floor(world, to_clip);
+  if (!lines.empty()) draw_lines(lines, to_clip);
 }
 
 void Painter::upload(std::span<const DrawnBox> boxes) {
@@ -99,6 +112,19 @@ void Painter::set_light(const GlProgram& program, const Aabb& world) const {
   program.set("to_sky_map", light_matrix(world, Vector3f::UnitY()));
   program.set("to_sun", kToSun);
   program.set("world_size", to_eigen(world).sizes().maxCoeff());
+}
+
+// Seen through a little, so that many of them do not hide what they are around.
+void Painter::draw_lines(std::span<const LineBox> lines, const Matrix4f& to_clip) const {
+  glBindVertexArray(line_arrays_);
+  glBindBuffer(GL_ARRAY_BUFFER, line_buffer_);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lines.size_bytes()), lines.data(), GL_STREAM_DRAW);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  lines_.use();
+  lines_.set("to_clip", to_clip);
+  glDrawArraysInstanced(GL_LINES, 0, kEdgeVertexCount, static_cast<GLsizei>(lines.size()));
+  glDisable(GL_BLEND);
 }
 
 void Painter::draw_floor(const Aabb& world, const Matrix4f& to_clip) const {

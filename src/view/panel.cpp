@@ -3,9 +3,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 
+#include "report/units.h"
 #include "view/panel_charts.h"
 
 namespace cellsweep::view {
@@ -33,6 +35,10 @@ void row(const char* name, const std::string& value) {
   ImGui::TextUnformatted(value.c_str());
 }
 
+std::string percent_text(float percent) {
+  return std::to_string(std::lround(percent)) + " %";
+}
+
 void draw_engine_choice(Controller& controller) {
   const Simulation& simulation = controller.simulation();
   ImGui::SetNextItemWidth(-1);
@@ -56,18 +62,65 @@ void draw_buttons(Controller& controller) {
 
 void draw_numbers(const Simulation& simulation) {
   heading("Pairs");
-  row("frame", std::to_string(simulation.frame()));
-  row("overlapping pairs", std::to_string(simulation.engine().pairs().size()));
-  row("began, ended", std::to_string(simulation.began()) + ", " + std::to_string(simulation.ended()));
-  row("green bodies",
-      std::to_string(std::count(simulation.colliding().begin(), simulation.colliding().end(), true)));
+  row("frame", report::count_text(simulation.frame()));
+  row("overlapping pairs", report::count_text(simulation.engine().pairs().size()));
+  row("began, ended", report::count_text(simulation.began()) + ", " + report::count_text(simulation.ended()));
+  const auto& colliding = simulation.colliding();
+  const auto green = static_cast<std::size_t>(std::count(colliding.begin(), colliding.end(), true));
+  row("green bodies", report::count_text(green));
 }
 
+// What of a line fits into the panel.
+std::string cut_to_fit(const std::string& line) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  if (ImGui::CalcTextSize(line.c_str()).x <= width) return line;
+  constexpr const char* kMore = " ... (W)";
+  std::string head = line;
+  while (!head.empty() && ImGui::CalcTextSize((head + kMore).c_str()).x > width) {
+    const std::size_t end = head.find_last_of(' ');
+    head.resize(end == std::string::npos ? 0 : end);
+  }
+  return head + kMore;
+}
+
+// One line, so that what is below stays where it is; the rest where the mouse is, or by key.
 void draw_complaint(const Controller& controller) {
-  if (controller.complaint().empty()) return;
+  const std::string& complaint = controller.complaint();
   ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
-  ImGui::TextWrapped("%s", controller.complaint().c_str());
+  if (controller.shows_reason()) {
+    ImGui::TextWrapped("%s", complaint.c_str());
+  } else {
+    ImGui::TextUnformatted(cut_to_fit(complaint).c_str());
+  }
   ImGui::PopStyleColor();
+  if (complaint.empty() || !ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(static_cast<float>(kPanelWidth));
+  ImGui::TextUnformatted(complaint.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+// "spus, on SPEs".
+std::string phase_name(const Phase& phase) {
+  const std::string name(phase.name);
+  switch (phase.kind) {
+    case PhaseKind::setup:
+      return name + ", set-up";
+    case PhaseKind::spes:
+      return name + ", on SPEs";
+    default:
+      return name;
+  }
+}
+
+void draw_times(const Simulation& simulation) {
+  heading("Engine's time of a frame");
+  draw_frame_times(simulation.frame_times());
+  heading("Its phases in this frame");
+  const std::vector<Phase>& phases = simulation.frame_time().phases;
+  for (const Phase& phase : phases) row(phase_name(phase).c_str(), report::duration_text(phase.milliseconds));
+  if (phases.empty()) ImGui::TextUnformatted("none: there was nothing to do");
 }
 
 void draw_help() {
@@ -119,12 +172,7 @@ void Panel::draw(Controller& controller, float height) {
   draw_controls(controller);
   draw_complaint(controller);
   draw_numbers(simulation);
-  heading("Engine's time, ms a frame");
-  draw_frame_times(simulation.frame_times());
-  heading("Its phases, ms");
-  for (const Phase& phase : simulation.engine().statistics().phases) {
-    if (!phase.setup) row(std::string(phase.name).c_str(), milliseconds_text(phase.milliseconds));
-  }
+  draw_times(simulation);
   if (simulation.local_store()) {
     heading("Local stores");
     draw_local_stores(*simulation.local_store());
@@ -133,24 +181,27 @@ void Panel::draw(Controller& controller, float height) {
   ImGui::End();
 }
 
+// The numbers stand above their sliders, where no knob is in the way.
 void Panel::draw_controls(Controller& controller) {
   const Simulation& simulation = controller.simulation();
   if (!held_) {
     bodies_ = static_cast<int>(simulation.bodies());
     moving_percent_ = simulation.is_recording() ? 0 : static_cast<float>(100 * simulation.moving());
   }
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 6});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 4});
   draw_engine_choice(controller);
   ImGui::BeginDisabled(simulation.is_recording());
-  ImGui::SetNextItemWidth(-70);
-  ImGui::SliderInt("bodies", &bodies_, kFewestBodies, kMostBodies, "%d", ImGuiSliderFlags_Logarithmic);
+  row("bodies", report::count_text(static_cast<std::size_t>(bodies_)));
+  ImGui::SetNextItemWidth(-1);
+  ImGui::SliderInt("##bodies", &bodies_, kFewestBodies, kMostBodies, "", ImGuiSliderFlags_Logarithmic);
   held_ = ImGui::IsItemActive();
   if (ImGui::IsItemDeactivatedAfterEdit()) controller.use_bodies(static_cast<std::size_t>(bodies_));
-  ImGui::SetNextItemWidth(-70);
-  ImGui::SliderFloat("moving", &moving_percent_, 0, 100,
-                     simulation.is_recording() ? "as recorded" : "%.0f %%");
+  row("moving", simulation.is_recording() ? "as recorded" : percent_text(moving_percent_));
+  ImGui::SetNextItemWidth(-1);
+  ImGui::SliderFloat("##moving", &moving_percent_, 0, 100, "");
+  moving_percent_ = std::round(moving_percent_);
   held_ = held_ || ImGui::IsItemActive();
-  if (ImGui::IsItemDeactivatedAfterEdit()) controller.use_moving(moving_percent_ / 100);
+  if (ImGui::IsItemDeactivatedAfterEdit()) controller.use_moving(static_cast<double>(moving_percent_) / 100);
   ImGui::EndDisabled();
   draw_buttons(controller);
   ImGui::PopStyleVar();

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "report/all_engines.h"
 #include "report/quantile.h"
+#include "report/units.h"
 #include "view/simulation.h"
 
 namespace cellsweep::view {
@@ -50,7 +52,7 @@ void draw_strip(const LocalStoreMap& map, unsigned spe, float label_width) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::Dummy({width, kHeight});
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const double whole = static_cast<double>(std::max(map.limit, map.used()));
+  const double whole = static_cast<double>(std::max(map.limit, report::used_bytes(map)));
   draw.AddRectFilled(corner, {corner.x + width, corner.y + kHeight}, kGround);
   double used = 0;
   for (std::size_t part = 0; part < map.parts.size(); ++part) {
@@ -79,13 +81,6 @@ void draw_region_name(std::size_t part, const LocalStorePart& region) {
 
 }  // namespace
 
-std::string milliseconds_text(double milliseconds) {
-  char text[32];
-  const int decimals = milliseconds < 0.1 ? 4 : milliseconds < 1 ? 3 : milliseconds < 100 ? 2 : 0;
-  std::snprintf(text, sizeof text, "%.*f", decimals, milliseconds);
-  return text;
-}
-
 void draw_frame_times(const std::vector<float>& times) {
   constexpr float kHeight = 70;
   const float width = ImGui::GetContentRegionAvail().x;
@@ -107,10 +102,11 @@ void draw_frame_times(const std::vector<float>& times) {
     x += step;
   }
   draw.AddLine({corner.x, floor - kHeight / 2}, {corner.x + width, floor - kHeight / 2}, kLine);
-  draw.AddText({corner.x + 4, corner.y + 2}, kInk, milliseconds_text(static_cast<double>(top)).c_str());
+  draw.AddText({corner.x + 4, corner.y + 2}, kInk, report::duration_text(static_cast<double>(top)).c_str());
   draw.AddText({corner.x + 4, floor - kHeight / 2 + 1}, kInk,
-               milliseconds_text(static_cast<double>(top / 2)).c_str());
-  ImGui::Text("median %s, longest %s", milliseconds_text(median).c_str(), milliseconds_text(longest).c_str());
+               report::duration_text(static_cast<double>(top / 2)).c_str());
+  ImGui::Text("median %s, longest %s", report::duration_text(median).c_str(),
+              report::duration_text(longest).c_str());
 }
 
 void draw_local_stores(const LocalStoreMap& map) {
@@ -118,7 +114,7 @@ void draw_local_stores(const LocalStoreMap& map) {
   for (unsigned spe = 0; spe < map.spus; ++spe) draw_strip(map, spe, label_width);
   ImGui::Dummy({0, 1});
   for (std::size_t part = 0; part < map.parts.size(); ++part) draw_region_name(part, map.parts[part]);
-  const double kilobytes = static_cast<double>(map.used()) / 1024;
+  const double kilobytes = static_cast<double>(report::used_bytes(map)) / 1024;
   if (map.limit == 0) {
     ImGui::Text("%.1f KB used each, no limit", kilobytes);
   } else {

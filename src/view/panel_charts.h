@@ -2,15 +2,11 @@
 /// The panel's drawings: how long frames took, and what local stores hold.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "cellsweep/local_store.h"
 
 namespace cellsweep::view {
-
-/// Three figures or more: "0.0123", "1.23", "1234".
-std::string milliseconds_text(double milliseconds);
 
 /// A bar for each frame, the newest at the right, in orange those too long for the picture; below it the
 /// median and the longest. Times in milliseconds.

@@ -117,6 +117,35 @@ void main() {
 }
 )";
 
+/// The twelve edges of instance after instance, two ends each: four along every axis.
+inline constexpr const char* kEdgeVertices = R"(
+layout(location = 0) in vec3 low;
+layout(location = 1) in vec3 high;
+layout(location = 2) in vec3 color;
+uniform mat4 to_clip;
+flat out vec3 own_color;
+
+void main() {
+  int along = gl_VertexID / 8;
+  int edge = (gl_VertexID / 2) % 4;
+  vec3 side = vec3(0);
+  side[along] = float(gl_VertexID % 2);
+  side[(along + 1) % 3] = float(edge % 2);
+  side[(along + 2) % 3] = float(edge / 2);
+  own_color = color;
+  gl_Position = to_clip * vec4(mix(low, high, side), 1);
+}
+)";
+
+inline constexpr const char* kLineColor = R"(
+flat in vec3 own_color;
+out vec4 pixel;
+
+void main() {
+  pixel = vec4(own_color, 0.7);
+}
+)";
+
 /// A square on the world's floor, much larger than the world.
 inline constexpr const char* kFloorVertices = R"(
 uniform mat4 to_clip;

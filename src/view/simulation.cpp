@@ -1,32 +1,16 @@
 #include "view/simulation.h"
 
-#include <chrono>
-
-#include "broadphase/text.h"
+#include "base/text.h"
+#include "report/all_engines.h"
+#include "report/engine_settings.h"
 #include "report/picture/picture.h"
-#include "report/run_engine.h"
 
 namespace cellsweep::view {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-report::Shape shape_of(const EngineOptions& options) {
-  return options.spu_boxes ? report::Shape::poses : report::Shape::boxes;
-}
-
-double setup_milliseconds(const Broadphase& engine) {
-  double sum = 0;
-  for (const Phase& phase : engine.statistics().phases) sum += phase.setup ? phase.milliseconds : 0;
-  return sum;
-}
-
-Status refuse(std::string message, std::string setting) {
-  return {StatusCode::bad_option, std::move(message), std::nullopt, 0, 0, std::move(setting)};
-}
-
 std::optional<LocalStoreMap> find_local_store(const SimulationSettings& settings, std::size_t bodies) {
-  auto map = local_store_map(settings.engine, settings.options, bodies);
+  auto map =
+      report::local_store_of(settings.engine, report::values_for(settings.engine, settings.settings), bodies);
   return map ? std::optional(std::move(*map)) : std::nullopt;
 }
 
@@ -63,31 +47,30 @@ Status Simulation::begin(const SimulationSettings& settings) {
 
 // A new engine with all boxes of the source, in the place of the old one if nothing goes wrong.
 Status Simulation::start_engine(const SimulationSettings& settings, const FrameSource& source) {
-  auto engine = make_engine(settings.engine, settings.options);
+  const SettingValues values = report::values_for(settings.engine, settings.settings);
+  auto engine = make_broadphase(settings.engine, values);
   if (!engine) return engine.status();
-  if (Status status = report::insert_all(**engine, source, shape_of(settings.options)); !status.ok())
-    return status;
-  const auto changes = (*engine)->update();
-  if (!changes) return changes.status();
+  const auto frame = report::time_frame(
+      *engine, [&] { return report::insert_all(*engine, source, report::shape_of(values)); });
+  if (!frame) return frame.status();
   engine_ = std::move(*engine);
   settings_ = settings;
+  frame_time_ = frame->time;
   local_store_ = find_local_store(settings, source.boxes().size());
   colliding_.assign(source.boxes().size(), false);
-  note_pairs(*changes);
+  note_pairs(frame->changes);
   return {};
 }
 
 Status Simulation::step() {
   if (!source_->advance()) return restart();
-  const Clock::time_point start = Clock::now();
-  const Status moved = report::move_changed(*engine_, *source_, shape_of(settings_.options));
-  if (!moved.ok()) return moved;
-  const auto changes = engine_->update();
-  if (!changes) return changes.status();
-  const std::chrono::duration<double, std::milli> time = Clock::now() - start;
+  const auto frame =
+      report::time_frame(engine_, [&] { return report::move_changed(engine_, *source_, shape()); });
+  if (!frame) return frame.status();
   ++frame_;
-  remember_time(time.count() - setup_milliseconds(*engine_));
-  note_pairs(*changes);
+  frame_time_ = frame->time;
+  remember_time(frame->time.work_ms());
+  note_pairs(frame->changes);
   return {};
 }
 
@@ -105,7 +88,7 @@ Status Simulation::use_engine(std::string_view name) {
 
 Status Simulation::use_bodies(std::size_t bodies) {
   if (Status status = check_scene("number of bodies"); !status.ok()) return status;
-  if (bodies == 0) return refuse("A scene without bodies shows nothing.", "bodies");
+  if (bodies == 0) return Status::bad_option("bodies", "A scene without bodies shows nothing.");
   SimulationSettings wanted = settings_;
   wanted.scene.bodies = bodies;
   Status status = begin(wanted);
@@ -122,14 +105,19 @@ Status Simulation::use_moving(double share) {
 
 Status Simulation::check_scene(std::string_view what) const {
   if (live_ != nullptr) return {};
-  return refuse(text("The ", what, " of a recording is what it is; only scenes change."), "recording");
+  return Status::bad_option("recording",
+                            text("The ", what, " of a recording is what it is; only scenes change."));
+}
+
+report::Shape Simulation::shape() const {
+  return report::shape_of(report::values_for(settings_.engine, settings_.settings));
 }
 
 void Simulation::note_pairs(const PairChanges& changes) {
   began_ = changes.began.size();
   ended_ = changes.ended.size();
   colliding_.assign(colliding_.size(), false);
-  for (const Pair& pair : engine_->pairs()) {
+  for (const Pair& pair : engine_.pairs()) {
     colliding_[pair.a] = true;
     colliding_[pair.b] = true;
   }

@@ -12,8 +12,11 @@
 
 #include "cellsweep/engines.h"
 #include "cellsweep/local_store.h"
-#include "cellsweep/recording.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/stream_view.h"
+#include "cellsweep/world/recording.h"
+#include "cellsweep/world/scene.h"
+#include "report/frame_clock.h"
+#include "report/hand_over.h"
 #include "view/live_scene.h"
 
 namespace cellsweep::view {
@@ -22,7 +25,7 @@ struct SimulationSettings {
   std::shared_ptr<const Recording> recording{};  ///< instead of a scene
   SceneSettings scene;
   std::string engine = "stream";
-  EngineOptions options;
+  SettingValues settings{};  ///< of all engines that may come: each gets those that it has
 };
 
 /// Steps of a world, each followed by the engine's update. A change that cannot be made says why and leaves
@@ -57,7 +60,13 @@ class Simulation {
   std::size_t frame() const { return frame_; }
 
   const std::string& engine_name() const { return settings_.engine; }
-  const Broadphase& engine() const { return *engine_; }
+  const Broadphase& engine() const { return engine_; }
+
+  /// What the engine took for the frame that is shown.
+  const report::FrameTime& frame_time() const { return frame_time_; }
+
+  /// What `stream` keeps around bodies and where it searches; nothing of other engines. As of now.
+  std::optional<StreamView> stream_view() const { return cellsweep::stream_view(engine_); }
 
   /// By body: does its box overlap another's, as the engine says?
   const std::vector<bool>& colliding() const { return colliding_; }
@@ -81,12 +90,14 @@ class Simulation {
   void note_pairs(const PairChanges& changes);
   void remember_time(double milliseconds);
   Status check_scene(std::string_view what) const;
+  report::Shape shape() const;
 
   SimulationSettings settings_;
   std::unique_ptr<FrameSource> source_;
   LiveScene* live_ = nullptr;  // source_, when it is a scene
   Aabb bounds_;
-  std::unique_ptr<Broadphase> engine_;
+  Broadphase engine_;
+  report::FrameTime frame_time_;
   std::size_t frame_ = 0;
   std::vector<bool> colliding_;
   std::size_t began_ = 0;

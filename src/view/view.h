@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "view/drawn_boxes.h"
 #include "view/simulation.h"
 
 namespace cellsweep::view {
@@ -17,6 +18,7 @@ struct ViewSettings {
   std::filesystem::path screenshot;   ///< PNG file of the last picture, made without showing the window
   bool panel = true;                  ///< show the panel
   bool help = false;                  ///< show the keys
+  StreamParts stream_parts;           ///< show these of engine `stream`
 };
 
 /// How a window ended.

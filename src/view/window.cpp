@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "view/canvas.h"
 #include "view/painter.h"
 #include "view/panel.h"
@@ -174,6 +174,8 @@ class Viewer {
     gui_ = std::make_unique<Gui>(window_.get());
     if (!settings.panel) controller_.act(Action::show_panel);
     if (settings.help) controller_.act(Action::show_help);
+    if (settings.stream_parts.fat_boxes) controller_.act(Action::show_fat_boxes);
+    if (settings.stream_parts.cells) controller_.act(Action::show_cells);
   }
 
   Status run() { return settings_.screenshot.empty() ? run_shown() : run_hidden(); }
@@ -203,7 +205,7 @@ class Viewer {
     return report::write_png(canvas_->read(), settings_.screenshot);
   }
 
-  Status failure() const { return {StatusCode::bad_input, controller_.complaint(), std::nullopt, 0, 0, ""}; }
+  Status failure() const { return Status::bad_input(controller_.complaint()); }
 
   /// False for a window without an inside.
   bool paint() {
@@ -217,8 +219,9 @@ class Viewer {
     }
     if (!canvas_ || canvas_->width() != width || canvas_->height() != height)
       canvas_ = std::make_unique<Canvas>(width, height);
-    painter_.paint(drawn_boxes(simulation_), simulation_.bounds(), controller_.camera(),
-                   canvas_->framebuffer(), {left, 0, width - left, height});
+    painter_.paint(drawn_boxes(simulation_), line_boxes(simulation_, controller_.stream_parts()),
+                   simulation_.bounds(), controller_.camera(), canvas_->framebuffer(),
+                   {left, 0, width - left, height});
     gui_->draw(panel_, controller_);
     return true;
   }
@@ -236,12 +239,9 @@ class Viewer {
 
 Status check(const char* setting, unsigned value, unsigned least, unsigned most) {
   if (value >= least && value <= most) return {};
-  return {StatusCode::bad_option,
-          text("The ", setting, " of a window is ", least, " to ", most, ", not ", value, "."),
-          std::nullopt,
-          value,
-          most,
-          setting};
+  return Status::bad_option(
+      setting, text("The ", setting, " of a window is ", least, " to ", most, ", not ", value, "."), value,
+      most);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "cellsweep/recording.h"
 #include "cellsweep/status.h"
+#include "cellsweep/world/recording.h"
 
 namespace cellsweep {
 

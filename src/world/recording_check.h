@@ -2,8 +2,8 @@
 /// What a recording must be before it goes into a file.
 #pragma once
 
-#include "cellsweep/recording.h"
 #include "cellsweep/status.h"
+#include "cellsweep/world/recording.h"
 
 namespace cellsweep {
 

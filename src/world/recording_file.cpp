@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
 #include "world/aabbs_file.h"
 #include "world/file_fault.h"
 #include "world/npy_file.h"

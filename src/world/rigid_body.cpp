@@ -1,7 +1,7 @@
 #include <array>
 #include <cmath>
 
-#include "cellsweep/world.h"
+#include "cellsweep/world/world.h"
 
 namespace cellsweep {
 namespace {

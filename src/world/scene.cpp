@@ -1,4 +1,4 @@
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ std::string number_text(double number) {
 }
 
 Status refuse(std::string message) {
-  return {StatusCode::bad_option, std::move(message), {}, 0, 0, {}};
+  return Status::bad_option({}, std::move(message));
 }
 
 Status refuse_scene(const std::string& name) {

@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 
 namespace cellsweep {
 namespace {

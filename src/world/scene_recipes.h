@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "world/random.h"
 
 namespace cellsweep {

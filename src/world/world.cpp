@@ -1,4 +1,4 @@
-#include "cellsweep/world.h"
+#include "cellsweep/world/world.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,12 +66,8 @@ BodyId World::add(const RigidBody& body) {
 Status World::remove(BodyId id) {
   const std::size_t index = index_of(id);
   if (index == size()) {
-    return {StatusCode::unknown_body,
-            "The world has no body " + std::to_string(id) + " to remove.",
-            id,
-            0,
-            0,
-            {}};
+    return Status::bad_bodies(StatusCode::unknown_body,
+                              "The world has no body " + std::to_string(id) + " to remove.", {&id, 1});
   }
   const auto offset = static_cast<std::ptrdiff_t>(index);
   ids_.erase(ids_.begin() + offset);

@@ -96,13 +96,21 @@ TEST(CellCommand, RefusesSettingsThatAreNotThere) {
   }
 }
 
-TEST(CellCommand, RefusesCyclesOfProgramsForThisMachine) {
-  for (const std::string engine : {"cell-paper", "control"}) {
-    const CommandResult result = run_command("simulate --cycles --bodies 10 --frames 1 --engine " + engine);
-    EXPECT_EQ(result.exit_code, 2) << engine;
-    EXPECT_THAT(result.errors, HasSubstr("--spe-engine isa"));
-  }
+TEST(CellCommand, RefusesCyclesOfProgramsForThisMachineAndOfEnginesWithoutSpes) {
+  const std::string run = "simulate --cycles --bodies 10 --frames 1 --engine ";
+  const CommandResult host = run_command(run + "cell-paper");
+  EXPECT_EQ(host.exit_code, 2);
+  EXPECT_THAT(host.errors, HasSubstr("--spe-engine isa"));
+  const CommandResult control = run_command(run + "control");
+  EXPECT_EQ(control.exit_code, 2);
+  EXPECT_THAT(control.errors, HasSubstr("it is one of cell-paper, cell-brute, cell-resident, cell-stream"));
   EXPECT_EQ(run_command("verify --cycles --bodies 10 --frames 1").exit_code, 2) << "it shows no times";
+}
+
+TEST(CellCommand, GivesPosesToTheEngineThatTakesThemAndBoxesToOthers) {
+  const CommandResult result =
+      run_command("verify --engine control,cell-resident --spu-boxes --bodies 50 --spinning --frames 5");
+  EXPECT_EQ(result.exit_code, 0) << result.output << result.errors;
 }
 
 TEST(CellCommand, ShowsAFramesTimeOnACell) {

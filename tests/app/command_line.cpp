@@ -9,7 +9,7 @@
 #include <regex>
 #include <sstream>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::app {
 namespace {

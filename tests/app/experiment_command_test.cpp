@@ -32,7 +32,7 @@ bool has_gnuplot() {
 }
 
 bool has_pictures() {
-  return make_engine("embree").ok();
+  return find_engine("embree") != nullptr;
 }
 
 const std::vector<std::string>& figures() {

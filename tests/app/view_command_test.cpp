@@ -9,7 +9,8 @@
 #include <sstream>
 #include <vector>
 
-#include "broadphase/text.h"
+#include "base/text.h"
+#include "cellsweep/engines.h"
 #include "command_line.h"
 
 namespace cellsweep::app {
@@ -125,7 +126,31 @@ TEST_F(View, GivesTheSamePixelsForTheSameFrame) {
   EXPECT_EQ(one.rgb, screenshot(scene + " --engine control").rgb);
 }
 
+/// The share of pixels that are by a quarter of the range more of one channel than of another.
+double tinted_share(const Picture& picture, std::size_t more, std::size_t less) {
+  std::size_t tinted = 0;
+  for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
+    tinted += picture.rgb[i + more] > picture.rgb[i + less] + 64 ? 1 : 0;
+  return 3.0 * static_cast<double>(tinted) / static_cast<double>(picture.rgb.size());
+}
+
+TEST_F(View, DrawsTheEdgesOfFatBoxesInBlueAndOfCellsInOrange) {
+  constexpr std::size_t kRed = 0;
+  constexpr std::size_t kBlue = 2;
+  const std::string scene = "--scene paper --bodies 200 --frames 5 --no-panel ";
+  const Picture plain = screenshot(scene);
+  const Picture fat = screenshot(scene + "--fat-boxes");
+  const Picture cells = screenshot(scene + "--cells");
+  EXPECT_LT(tinted_share(plain, kBlue, kRed), 0.001);
+  EXPECT_LT(tinted_share(plain, kRed, kBlue), 0.001);
+  EXPECT_GT(tinted_share(fat, kBlue, kRed), 0.005);
+  EXPECT_LT(tinted_share(fat, kRed, kBlue), 0.001);
+  EXPECT_GT(tinted_share(cells, kRed, kBlue), 0.002);
+  EXPECT_EQ(screenshot(scene + "--cells --engine control").rgb, plain.rgb) << "there are none";
+}
+
 TEST_F(View, HasAPanelBesideTheWorldWithTheLocalStoresOfCellEngines) {
+  if (find_engine("cell-resident") == nullptr) GTEST_SKIP() << "this build has no Cell engines";
   const Picture stream = screenshot("--bodies 200 --frames 20", kTall);
   const Picture resident = screenshot("--bodies 200 --frames 20 --engine cell-resident", kTall);
   ASSERT_FALSE(stream.rgb.empty() || resident.rgb.empty());

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "broadphase/brute_force.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "contract/box_kinds.h"
+#include "report/oracle.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -24,7 +24,7 @@ void expect_exact(const std::vector<Aabb>& boxes, std::string_view name) {
     std::vector<Pair> pairs = {{1, 2}};
     pruning.find_pairs(boxes, pairs);
     std::sort(pairs.begin(), pairs.end());
-    EXPECT_EQ(pairs, brute_force_pairs(boxes)) << name;
+    EXPECT_EQ(pairs, report::oracle_pairs(boxes)) << name;
   }
 }
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "broadphase/brute_force.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "contract/box_kinds.h"
+#include "report/oracle.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -24,7 +24,7 @@ TEST(GridOracle, EqualsAllAgainstAllOnEveryScene) {
     settings.bodies = 700;
     const auto source = std::move(*make_scene_frames(settings));
     const std::vector<Aabb> boxes(source->boxes().begin(), source->boxes().end());
-    EXPECT_EQ(sorted_grid_pairs(boxes), brute_force_pairs(boxes)) << scene.name;
+    EXPECT_EQ(sorted_grid_pairs(boxes), report::oracle_pairs(boxes)) << scene.name;
   }
 }
 
@@ -33,7 +33,7 @@ TEST(GridOracle, EqualsAllAgainstAllOnEveryKindOfBoxes) {
   for (const contract::BoxKind& kind : contract::box_kinds()) {
     std::vector<Aabb> boxes = contract::make_boxes(kind, random, 200);
     for (Aabb& box : boxes) box = contract::canonical_box(box);
-    EXPECT_EQ(sorted_grid_pairs(boxes), brute_force_pairs(boxes)) << kind.name;
+    EXPECT_EQ(sorted_grid_pairs(boxes), report::oracle_pairs(boxes)) << kind.name;
   }
 }
 

@@ -1,9 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+
 #include "bench/peers/chart/chart_script.h"
+#include "bench/peers/chart/pages.h"
 #include "bench/peers/chart/ratios.h"
 #include "bench/peers/chart/tables.h"
+#include "report/text_file.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -129,6 +134,53 @@ TEST(PeerTables, StandBetweenTheirMarks) {
   EXPECT_EQ(*replace_between_marks(text, "x", "new\n"),
             "before\n<!-- x: begin -->\nnew\n<!-- x: end -->\nafter\n");
   EXPECT_FALSE(replace_between_marks(text, "y", "new\n").ok());
+}
+
+TEST(PeerTables, ComeDownToASentence) {
+  EXPECT_EQ(
+      headline_markdown(results_of(two_cells())),
+      "In 2 measured cases the fastest of the others took 6.0 times as long as `stream` (geometric mean);\n"
+      "in 2 of them it took at least twice as long.\n");
+  EXPECT_EQ(headline_markdown({}), "");
+}
+
+// The pages of a project, with marks in the given lines, in a folder of the test's own.
+std::filesystem::path project_with(const std::string& readme, const std::string& page) {
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto project = std::filesystem::path(testing::TempDir()) / ("peers_pages_" + test);
+  std::filesystem::remove_all(project);
+  std::filesystem::create_directories(project / "docs");
+  std::filesystem::create_directories(project / "bench/figures");
+  EXPECT_TRUE(report::write_text_file(project / "README.md", readme).ok());
+  EXPECT_TRUE(report::write_text_file(project / "docs/peers.md", page).ok());
+  EXPECT_TRUE(report::write_text_file(project / "uniform.png", "a chart").ok());
+  return project;
+}
+
+constexpr const char* kMarks = "before\n<!-- peers: begin -->\nold\n<!-- peers: end -->\nafter\n";
+
+TEST(PeerPages, HoldTheSummaryItsSentenceAndTheChart) {
+  const auto project = project_with(kMarks, kMarks);
+  const PeerResults results = results_of(two_cells());
+  ASSERT_TRUE(update_pages(project, results, project / "uniform.png").ok());
+  const auto between_marks = [](const std::string& content) {
+    return *replace_between_marks(kMarks, "peers", content);
+  };
+  EXPECT_EQ(*report::read_text_file(project / "README.md"), between_marks(headline_markdown(results)));
+  EXPECT_EQ(*report::read_text_file(project / "docs/peers.md"), between_marks(summary_markdown(results)));
+  EXPECT_EQ(*report::read_text_file(project / "bench/figures/peers.png"), "a chart");
+}
+
+TEST(PeerPages, StayAsTheyAreWhenOneHasNoMarks) {
+  const auto project = project_with("no marks\n", kMarks);
+  EXPECT_FALSE(update_pages(project, results_of(two_cells()), project / "uniform.png").ok());
+  EXPECT_EQ(*report::read_text_file(project / "docs/peers.md"), kMarks);
+}
+
+TEST(PeerPages, OfTheProjectHaveTheirMarks) {
+  const std::filesystem::path project = CELLSWEEP_SOURCE_DIR;
+  EXPECT_TRUE(replace_between_marks(*report::read_text_file(project / "README.md"), "peers", "").ok());
+  EXPECT_TRUE(replace_between_marks(*report::read_text_file(project / "docs/peers.md"), "peers", "").ok());
 }
 
 TEST(PeerChart, DrawsEveryExactPeerOfTheSceneOnce) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "bench/peers/peer_check.h"
@@ -61,6 +62,26 @@ TEST(PeerCheck, CountsWhatIsMissingAndWhatIsListedTwice) {
   EXPECT_EQ(mismatch.missing, 3U);
   EXPECT_EQ(mismatch.extra, 3U);
   EXPECT_EQ(describe(mismatch), "3 pairs missing, 3 too many");
+}
+
+TEST(Peers, MayHaveIdsOfTheirOwnThatStandForTheSameBodies) {
+  const auto of = [](std::string_view name) {
+    return *std::find_if(peer_table().begin(), peer_table().end(),
+                         [&](const PeerInfo& peer) { return peer.name == name; });
+  };
+  const PeerSetting setting{"clustered", 200, PeerMode::dyn100};
+  const PeerInfo dense_info = of("stream");
+  const PeerInfo scattered_info = of("stream_scattered");
+  PeerRun dense(dense_info, setting);
+  PeerRun scattered(scattered_info, setting);
+  for (int frame = 0; frame < 3; ++frame) {
+    dense.next_frame();
+    scattered.next_frame();
+    std::vector<Pair> pairs = scattered.pairs();
+    std::sort(pairs.begin(), pairs.end());
+    EXPECT_EQ(pairs, dense.pairs());
+    EXPECT_NE(scattered.listed(), dense.listed());
+  }
 }
 
 TEST(PeerCheck, SumsUpTheOraclesPairs) {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "cellsweep/aabb.h"
-#include "cellsweep/eigen.h"
+#include "cellsweep/world/eigen.h"
 #include "contract/box_kinds.h"
 
 namespace cellsweep {

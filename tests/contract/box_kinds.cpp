@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::contract {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <numeric>
-#include <optional>
+#include <span>
 
 #include "contract/checked_engine.h"
 #include "contract/contract_fixture.h"
@@ -58,13 +58,13 @@ class FullEngine {
   CheckedEngine checked_;
 };
 
-/// Engines with as little capacity as their options allow.
+/// Engines with as little capacity as their settings allow.
 class CapacityContract : public PerEngine {
  protected:
   void SetUp() override {
     engine_ = GetParam();
-    if (const auto options = small_capacity_options(engine_)) engine_.options = *options;
-    capacity_ = make(engine_)->capacity();
+    if (engine_.shrink) engine_.make = engine_.shrink();
+    capacity_ = make(engine_).capacity();
     if (capacity_.bodies > kFillable)
       GTEST_SKIP() << "takes " << capacity_.bodies << " bodies, too many to fill";
   }
@@ -101,6 +101,19 @@ TEST_P(CapacityContract, ABulkInsertThatFitsInPartIsRefusedWhole) {
   ASSERT_TRUE(checked.update());
 }
 
+TEST_P(CapacityContract, AFullEngineAddsNoBodyAndHandsOutNoId) {
+  FullEngine full(engine_);
+  CheckedEngine& checked = full.fill();
+  Status status;
+  BodyId id = 77;
+  ASSERT_TRUE(checked.refuse([](Broadphase& e) { return e.add(row(1)[0]).status(); }, status));
+  expect_capacity_status(status, capacity_);
+  ASSERT_TRUE(checked.refuse([&](Broadphase& e) { return e.add(row(1), std::span(&id, 1)); }, status));
+  expect_capacity_status(status, capacity_);
+  EXPECT_EQ(id, 77U);
+  ASSERT_TRUE(checked.update());
+}
+
 TEST_P(CapacityContract, ARemovedBodyMakesRoomBeforeTheNextUpdate) {
   FullEngine full(engine_);
   CheckedEngine& checked = full.fill();
@@ -119,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, CapacityContract, all_engines(), engine_label)
 using StatedCapacityContract = PerEngine;
 
 TEST_P(StatedCapacityContract, ItIsMoreThanNothingAndSaysWhy) {
-  const Capacity capacity = make(GetParam())->capacity();
+  const Capacity capacity = make(GetParam()).capacity();
   EXPECT_GT(capacity.bodies, 0U);
   EXPECT_FALSE(capacity.reason.empty());
 }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <span>
+#include <new>
 #include <utility>
 
-#include "broadphase/brute_force.h"
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "contract/box_kinds.h"
+#include "engines/oracle/brute_force.h"
 
 namespace cellsweep::contract {
 namespace {
@@ -20,21 +20,16 @@ std::vector<Pair> copy(std::span<const Pair> pairs) {
   return {pairs.begin(), pairs.end()};
 }
 
-std::vector<Pair> without(const std::vector<Pair>& pairs, const std::vector<Pair>& others) {
-  std::vector<Pair> rest;
-  std::ranges::set_difference(pairs, others, std::back_inserter(rest));
-  return rest;
-}
+/// Arguments of a call, overwritten afterwards, so that a broadphase that keeps hold of them is found out.
+struct Arguments {
+  std::vector<BodyId> ids;
+  std::vector<Aabb> boxes;
 
-/// The call as a user would make it: one body by the single call, several by the bulk call. The arguments are
-/// copies that are overwritten afterwards, so that an engine that keeps hold of them is found out.
-template <class One, class Bulk>
-Status call_with_boxes(std::vector<BodyId> ids, std::vector<Aabb> boxes, One one, Bulk bulk) {
-  const Status status = ids.size() == 1 ? one(ids[0], boxes[0]) : bulk(ids, boxes);
-  std::ranges::fill(ids, 0xdeadbeefU);
-  std::ranges::fill(boxes, Aabb{{-1, -1, -1}, {-1, -1, -1}});
-  return status;
-}
+  ~Arguments() {
+    std::ranges::fill(ids, 0xdeadbeefU);
+    std::ranges::fill(boxes, Aabb{{-1, -1, -1}, {-1, -1, -1}});
+  }
+};
 
 }  // namespace
 
@@ -50,56 +45,136 @@ std::vector<Pair> Model::brute_force() const {
   return brute_force_pairs(ids(), all_boxes);
 }
 
-CheckedEngine::CheckedEngine(const ContractEngine& engine, std::string story)
-    : engine_(make(engine)), story_(engine.label + ", " + std::move(story)) {}
+void Model::remove(BodyId id) {
+  boxes.erase(id);
+  gone.insert(id);
+}
 
+// A body that came back under its id is another one: its pairs end, whether or not they begin again.
+Answer Model::update() {
+  Answer answer{.pairs = brute_force(), .began = {}, .ended = {}};
+  std::vector<Pair> kept;
+  std::ranges::set_intersection(pairs, answer.pairs, std::back_inserter(kept));
+  std::erase_if(kept, [&](const Pair& pair) { return gone.contains(pair.a) || gone.contains(pair.b); });
+  std::ranges::set_difference(answer.pairs, kept, std::back_inserter(answer.began));
+  std::ranges::set_difference(pairs, kept, std::back_inserter(answer.ended));
+  pairs = answer.pairs;
+  shown = boxes;
+  gone.clear();
+  return answer;
+}
+
+bool Model::is_in_pairs(BodyId id) const {
+  return gone.contains(id) &&
+         std::ranges::any_of(pairs, [&](const Pair& pair) { return pair.a == id || pair.b == id; });
+}
+
+CheckedEngine::CheckedEngine(const ContractEngine& engine, std::string story)
+    : CheckedEngine(make(engine), engine.label + ", " + story) {}
+
+CheckedEngine::CheckedEngine(Broadphase engine, std::string story)
+    : engine_(std::move(engine)), story_(std::move(story)) {}
+
+// One call, or two when memory ran out in the first.
+template <class Call>
+auto CheckedEngine::call_engine(Call call) -> decltype(call()) {
+  if (!around_) return call();
+  try {
+    around_(true);
+    auto result = call();
+    around_(false);
+    return result;
+  } catch (const std::bad_alloc&) {
+    around_(false);
+  }
+  ++failures_;
+  EXPECT_TRUE(state_is_kept());
+  return call();
+}
+
+// As a user would make it: one body by the single call, several by the bulk call.
 AssertionResult CheckedEngine::insert(const std::vector<BodyId>& ids, const std::vector<Aabb>& boxes) {
-  const Status status = call_with_boxes(
-      ids, boxes, [&](BodyId id, const Aabb& box) { return engine_->insert(id, box); },
-      [&](std::span<const BodyId> all, std::span<const Aabb> with) { return engine_->insert(all, with); });
+  const Arguments with{ids, boxes};
+  const Status status = call_engine([&] {
+    return ids.size() == 1 ? engine_.insert(with.ids[0], with.boxes[0])
+                           : engine_.insert(with.ids, with.boxes);
+  });
+  count_bodies(ids.size());
+  own_ids_ = own_ids_ || !ids.empty();
   for (std::size_t i = 0; i < ids.size(); ++i) model_.boxes.emplace(ids[i], canonical_box(boxes[i]));
   return accepted("insert", status);
 }
 
+AssertionResult CheckedEngine::add(const std::vector<Aabb>& boxes, std::vector<BodyId>& ids) {
+  const Arguments with{{}, boxes};
+  ids.assign(boxes.size(), 0xdeadbeefU);
+  const Status status = call_engine([&] {
+    if (boxes.size() != 1) return engine_.add(with.boxes, ids);
+    const Result<BodyId> id = engine_.add(with.boxes[0]);
+    if (id) ids[0] = *id;
+    return id.status();
+  });
+  if (!status.ok()) return accepted("add", status);
+  count_bodies(ids.size());
+  if (AssertionResult right = ids_are_right(ids); !right) return right;
+  for (std::size_t i = 0; i < ids.size(); ++i) model_.boxes.emplace(ids[i], canonical_box(boxes[i]));
+  return accepted("add", status);
+}
+
 AssertionResult CheckedEngine::move(const std::vector<BodyId>& ids, const std::vector<Aabb>& boxes) {
-  const Status status = call_with_boxes(
-      ids, boxes, [&](BodyId id, const Aabb& box) { return engine_->move(id, box); },
-      [&](std::span<const BodyId> all, std::span<const Aabb> to) { return engine_->move(all, to); });
+  const Arguments with{ids, boxes};
+  const Status status = call_engine([&] {
+    return ids.size() == 1 ? engine_.move(with.ids[0], with.boxes[0]) : engine_.move(with.ids, with.boxes);
+  });
   for (std::size_t i = 0; i < ids.size(); ++i) model_.boxes.at(ids[i]) = canonical_box(boxes[i]);
   return accepted("move", status);
 }
 
 AssertionResult CheckedEngine::remove(const std::vector<BodyId>& ids) {
-  std::vector<BodyId> passed = ids;
-  const Status status = passed.size() == 1 ? engine_->remove(passed[0]) : engine_->remove(passed);
-  std::ranges::fill(passed, 0xdeadbeefU);
-  for (const BodyId id : ids) model_.boxes.erase(id);
+  const Arguments with{ids, {}};
+  const Status status =
+      call_engine([&] { return ids.size() == 1 ? engine_.remove(with.ids[0]) : engine_.remove(with.ids); });
+  for (const BodyId id : ids) model_.remove(id);
+  removed_ += ids.size();
   return accepted("remove", status);
 }
 
 AssertionResult CheckedEngine::update() {
   if (AssertionResult kept = state_is_kept(); !kept) return kept;
-  const Result<PairChanges> result = engine_->update();
+  handed_.reset();
+  handed_pairs_.reset();
+  const Result<PairChanges> result = call_engine([&] { return engine_.update(); });
   ++updates_;
   if (!result) return accepted("update", result.status());
 
-  Answer expected{.pairs = model_.brute_force(), .began = {}, .ended = {}};
-  expected.began = without(expected.pairs, model_.pairs);
-  expected.ended = without(model_.pairs, expected.pairs);
-  model_.pairs = expected.pairs;
+  const Answer expected = model_.update();
+  removed_ = 0;
   handed_ = *result;
-  answer_ = {copy(engine_->pairs()), copy(handed_.began), copy(handed_.ended)};
-
-  if (AssertionResult right = changes_are_right(expected); !right) return right;
-  if (engine_->statistics().updates != updates_) {
-    return failure() << "statistics count " << engine_->statistics().updates << " updates";
+  answer_ = {expected.pairs, copy(handed_->began), copy(handed_->ended)};
+  if (looks_) {
+    handed_pairs_ = call_engine([&] { return engine_.pairs(); });
+    answer_.pairs = copy(*handed_pairs_);
   }
-  return pairs_are_right(expected.pairs);
+  if (engine_.statistics().updates != updates_) {
+    return failure() << "statistics count " << engine_.statistics().updates << " updates";
+  }
+  const AssertionResult right = answer_is(expected);
+  return right ? state_is_kept() : right;
 }
 
 AssertionResult CheckedEngine::refuse(const std::function<Status(Broadphase&)>& call, Status& status) {
-  status = call(*engine_);
-  if (status.ok()) return failure() << "the engine accepted the call";
+  status = call(engine_);
+  if (status.ok()) return failure() << "the call was accepted";
+  return state_is_kept();
+}
+
+AssertionResult CheckedEngine::refuse_update(Status& status) {
+  if (AssertionResult kept = state_is_kept(); !kept) return kept;
+  handed_.reset();
+  handed_pairs_.reset();
+  status = engine_.update().status();
+  if (status.ok()) return failure() << "the update was not refused";
+  if (engine_.statistics().updates != updates_) return failure() << "an update that failed was counted";
   return state_is_kept();
 }
 
@@ -107,39 +182,89 @@ AssertionResult CheckedEngine::failure() const {
   return AssertionFailure() << story_ << ", after " << updates_ << " updates: ";
 }
 
-AssertionResult CheckedEngine::accepted(const char* call, const Status& status) const {
+AssertionResult CheckedEngine::accepted(const char* call, const Status& status) {
   if (!status.ok()) return failure() << call << " was refused: " << status.message;
   return state_is_kept();
 }
 
-AssertionResult CheckedEngine::state_is_kept() const {
-  if (engine_->size() != model_.boxes.size()) {
-    return failure() << "size() is " << engine_->size() << " with " << model_.boxes.size() << " bodies held";
+AssertionResult CheckedEngine::state_is_kept() {
+  bool kept = true;
+  if (handed_) {
+    kept = std::ranges::equal(handed_->began, answer_.began) &&
+           std::ranges::equal(handed_->ended, answer_.ended);
   }
-  const bool kept = std::ranges::equal(engine_->pairs(), answer_.pairs) &&
-                    std::ranges::equal(handed_.began, answer_.began) &&
-                    std::ranges::equal(handed_.ended, answer_.ended);
+  if (handed_pairs_) kept = kept && std::ranges::equal(*handed_pairs_, model_.pairs);
+  if (looks_) {
+    kept = kept && std::ranges::equal(call_engine([&] { return engine_.pairs(); }), model_.pairs);
+  }
   if (!kept) return failure() << "what the last update gave has changed before the next one";
+  if (AssertionResult bodies = bodies_are_kept(); !bodies) return bodies;
+  return boxes_are_kept();
+}
+
+AssertionResult CheckedEngine::bodies_are_kept() const {
+  if (engine_.size() != model_.boxes.size()) {
+    return failure() << "size() is " << engine_.size() << " with " << model_.boxes.size() << " bodies held";
+  }
+  for (const auto& [id, box] : model_.boxes) {
+    if (!engine_.contains(id)) return failure() << "contains() does not know body " << id;
+  }
+  for (const auto& [id, box] : model_.shown) {
+    if (engine_.contains(id) != model_.boxes.contains(id)) {
+      return failure() << "contains() says that body " << id << " is held, which was removed";
+    }
+  }
   return AssertionSuccess();
 }
 
-AssertionResult CheckedEngine::changes_are_right(const Answer& expected) const {
-  if (AssertionResult right = same("began", answer_.began, expected.began); !right) return right;
-  return same("ended", answer_.ended, expected.ended);
+AssertionResult CheckedEngine::boxes_are_kept() {
+  std::vector<BodyId> ids;
+  std::vector<Aabb> expected;
+  for (const auto& [id, box] : model_.shown) {
+    ids.push_back(id);
+    expected.push_back(box);
+  }
+  std::vector<Aabb> boxes(ids.size());
+  const Status status = call_engine([&] { return engine_.boxes(ids, boxes); });
+  if (!status.ok()) return failure() << "boxes() was refused: " << status.message;
+  const auto [given, wanted] = std::ranges::mismatch(boxes, expected);
+  if (given == boxes.end()) return AssertionSuccess();
+  return failure() << "boxes() gives for body " << ids[static_cast<std::size_t>(given - boxes.begin())] << " "
+                   << box_text(*given) << " instead of " << box_text(*wanted);
 }
 
-AssertionResult CheckedEngine::pairs_are_right(const std::vector<Pair>& expected) const {
-  std::vector<Pair> sorted = answer_.pairs;
+// Small: below the most bodies that there were at a time, those that have gone since the last update among
+// them; twice that where the caller chose ids, too.
+AssertionResult CheckedEngine::ids_are_right(const std::vector<BodyId>& ids) const {
+  std::vector<BodyId> sorted = ids;
   std::ranges::sort(sorted);
-  if (AssertionResult right = same("pairs()", sorted, expected); !right) return right;
-  if (pair_set_hash(answer_.pairs) != pair_set_hash(expected)) {
+  if (std::ranges::adjacent_find(sorted) != sorted.end()) return failure() << "add() gives an id twice";
+  const std::size_t bound = own_ids_ ? 2 * most_bodies_ : most_bodies_;
+  for (const BodyId id : sorted) {
+    if (model_.boxes.contains(id)) return failure() << "add() gives body " << id << ", which is held";
+    if (model_.is_in_pairs(id)) return failure() << "add() gives " << id << " before its pairs have ended";
+    if (id >= bound)
+      return failure() << "add() gives " << id << ", and there were " << most_bodies_ << " bodies";
+  }
+  return AssertionSuccess();
+}
+
+// `more` are about to come.
+void CheckedEngine::count_bodies(std::size_t more) {
+  most_bodies_ = std::max(most_bodies_, model_.boxes.size() + removed_ + more);
+}
+
+AssertionResult CheckedEngine::answer_is(const Answer& expected) const {
+  if (AssertionResult right = same("began", answer_.began, expected.began); !right) return right;
+  if (AssertionResult right = same("ended", answer_.ended, expected.ended); !right) return right;
+  if (AssertionResult right = same("pairs()", answer_.pairs, expected.pairs); !right) return right;
+  if (pair_set_hash(answer_.pairs) != pair_set_hash(expected.pairs)) {
     return failure() << "equal pair sets have different hashes";
   }
   return AssertionSuccess();
 }
 
-/// Compares lists that should be ascending; a repeated pair or a wrong order differs from the model's list
-/// too.
+/// Compares lists that must be ascending; a repeated pair or a wrong order differs from the model's list too.
 AssertionResult CheckedEngine::same(const char* what, const std::vector<Pair>& given,
                                     const std::vector<Pair>& expected) const {
   if (given == expected) return AssertionSuccess();

@@ -3,108 +3,145 @@
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
+#include <utility>
+
+#include "contract/executors.h"
+#include "every_engine.h"
 
 namespace cellsweep::contract {
 namespace {
 
+using Maker = ContractEngine::Maker;
+/// Makes an engine whose capacity follows from so many bytes.
+using SizedMaker = std::function<Result<Broadphase>(std::uint64_t bytes)>;
+
 /// Few kilobytes of pair map: a capacity that a random sequence runs into all the time.
 constexpr std::uint64_t kSmallPairMap = 16 << 10;
 
-std::string label_of(std::string_view name) {
-  std::string label(name);
-  std::replace_if(
-      label.begin(), label.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return label;
-}
-
 /// The smallest local store, in steps of 4 KiB, that holds the 16 bodies of the fixed scenes.
-EngineOptions small_local_store(const std::string& name, EngineOptions options) {
+Maker with_small_local_store(const SizedMaker& make) {
   constexpr std::uint64_t kStep = 4096;
   constexpr std::uint64_t kBodies = 16;
   constexpr std::uint64_t kLargest = std::uint64_t{1} << 20;
-  for (options.local_store_bytes = kStep; options.local_store_bytes < kLargest;
-       options.local_store_bytes += kStep) {
-    const auto engine = make_engine(name, options);
-    if (engine.ok() && (*engine)->capacity().bodies >= kBodies) return options;
+  for (std::uint64_t bytes = kStep; bytes < kLargest; bytes += kStep) {
+    const Result<Broadphase> made = make(bytes);
+    if (made && made->capacity().bodies >= kBodies) return [make, bytes] { return make(bytes); };
   }
-  throw std::runtime_error(name + " does not hold the bodies of the fixed scenes in any local store");
+  throw std::runtime_error("an engine does not hold the bodies of the fixed scenes in any local store");
+}
+
+/// An engine by its options struct.
+template <class Options>
+ContractEngine engine_with_options(std::string name, const Options& options, std::string label) {
+  ContractEngine engine{std::move(name), [options] { return make_broadphase(options); }, std::move(label)};
+  if constexpr (requires { options.literal; }) {
+    if (options.literal) throw std::invalid_argument(engine.label + " would not be exact");
+  }
+  if constexpr (requires { options.spu_boxes; }) engine.takes_poses = options.spu_boxes;
+  if constexpr (requires { options.spes.local_store; }) {
+    engine.shrink = [options] {
+      return with_small_local_store([sized = options](std::uint64_t bytes) mutable {
+        sized.spes.local_store = bytes;
+        return make_broadphase(sized);
+      });
+    };
+  } else if constexpr (requires { options.pair_map_bytes; }) {
+    engine.shrink = [sized = options]() mutable -> Maker {
+      sized.pair_map_bytes = kSmallPairMap;
+      return [sized] { return make_broadphase(sized); };
+    };
+  }
+  return engine;
+}
+
+#ifdef CELLSWEEP_HAS_CELL
+
+/// Transfers that land late, in an order of their own for each seed.
+SpeOptions late_dma(std::uint64_t seed) {
+  return {.dma = DmaMode::late, .dma_seed = seed};
 }
 
 /// Transfers that land late, in the orders of several seeds, and every way of the Cell engines' results home.
 void add_cell_options(std::vector<ContractEngine>& engines) {
-  const EngineOptions late{.dma = DmaMode::late, .dma_seed = 11};
-  EngineOptions late_list = late;
-  late_list.dma_seed = 12;
-  late_list.list_dma = true;
-  EngineOptions late_method_2 = late_list;
-  late_method_2.dma_seed = 13;
-  late_method_2.method = 2;
-  EngineOptions late_five_spus = late;
-  late_five_spus.dma_seed = 14;
-  late_five_spus.spus = 5;
-  engines.push_back({"cell-paper", late, "cell_paper_with_late_dma"});
+  const auto add = [&](const char* name, const auto& options, const char* label) {
+    engines.push_back(engine_with_options(name, options, label));
+  };
+  add("cell-paper", CellPaperOptions{.spes = late_dma(11)}, "cell_paper_with_late_dma");
 #if !defined(CELLSWEEP_THREAD_SANITIZED_TESTS)
   // What these change is the work of one SPU: for the thread sanitizer the others have the same threads.
-  engines.push_back({"cell-paper", late_list, "cell_paper_with_late_dma_lists"});
-  engines.push_back({"cell-paper", {.method = 2}, "cell_paper_with_method_2"});
+  add("cell-paper", CellPaperOptions{.spes = late_dma(12), .list_dma = true},
+      "cell_paper_with_late_dma_lists");
+  add("cell-paper", CellPaperOptions{.method = 2}, "cell_paper_with_method_2");
 #endif
-  engines.push_back({"cell-paper", late_method_2, "cell_paper_with_method_2_and_late_dma_lists"});
-  engines.push_back({"cell-brute", late_five_spus, "cell_brute_with_late_dma_and_five_spus"});
-  engines.push_back({"cell-resident", late, "cell_resident_with_late_dma"});
+  add("cell-paper", CellPaperOptions{.spes = late_dma(13), .method = 2, .list_dma = true},
+      "cell_paper_with_method_2_and_late_dma_lists");
+  add("cell-brute", CellBruteOptions{.spes = late_dma(14), .spus = 5},
+      "cell_brute_with_late_dma_and_five_spus");
+  add("cell-resident", CellResidentOptions{.spes = late_dma(11)}, "cell_resident_with_late_dma");
 #if !defined(CELLSWEEP_SANITIZED_TESTS)
-  EngineOptions stream_late = late;
-  stream_late.on_spes = true;
-  stream_late.spus = 2;
-  engines.push_back({"stream", stream_late, "stream_on_two_spes_with_late_dma"});
+  add("cell-stream", CellStreamOptions{.spes = late_dma(11), .spus = 2},
+      "cell_stream_with_late_dma_and_two_spus");
 #endif
-  late_five_spus.spu_boxes = true;
-  engines.push_back({"cell-resident", late_five_spus, "cell_resident_with_late_dma_five_spus_and_spu_boxes"});
+  add("cell-resident", CellResidentOptions{.spes = late_dma(14), .spus = 5, .spu_boxes = true},
+      "cell_resident_with_late_dma_five_spus_and_spu_boxes");
 }
 
 /// The programs as a real SPU would run them; sanitizers watch the engine itself elsewhere, in its own tests,
 /// and in an emulator of another processor there are no other programs.
 void add_isa_engines([[maybe_unused]] std::vector<ContractEngine>& engines) {
 #if !defined(CELLSWEEP_SANITIZED_TESTS) && !defined(CELLSWEEP_EMULATED_TESTS)
-  const EngineOptions isa{.spe_engine = SpeEngine::isa};
-  if (!make_engine("cell-paper", isa)) return;  // built without the SPU compiler
-  EngineOptions late = isa;
-  late.dma = DmaMode::late;
-  late.dma_seed = 21;
-  EngineOptions late_boxes = late;
-  late_boxes.spus = 5;
-  late_boxes.spu_boxes = true;
-  engines.push_back({"cell-paper", late, "cell_paper_on_isa_with_late_dma"});
-  engines.push_back({"cell-brute", isa, "cell_brute_on_isa"});
-  engines.push_back({"cell-resident", isa, "cell_resident_on_isa"});
-  EngineOptions stream_isa = isa;
-  stream_isa.on_spes = true;
-  stream_isa.spus = 1;
-  engines.push_back({"stream", stream_isa, "stream_on_isa"});
-  engines.push_back(
-      {"cell-resident", late_boxes, "cell_resident_on_isa_with_late_dma_five_spus_and_spu_boxes"});
+  const auto add = [&](const char* name, const auto& options, const char* label) {
+    engines.push_back(engine_with_options(name, options, label));
+  };
+  const SpeOptions isa{.spe_engine = SpeEngine::isa};
+  if (!make_broadphase(CellPaperOptions{.spes = isa})) return;  // built without the SPU compiler
+  SpeOptions late = late_dma(21);
+  late.spe_engine = SpeEngine::isa;
+  add("cell-paper", CellPaperOptions{.spes = late}, "cell_paper_on_isa_with_late_dma");
+  add("cell-brute", CellBruteOptions{.spes = isa}, "cell_brute_on_isa");
+  add("cell-resident", CellResidentOptions{.spes = isa}, "cell_resident_on_isa");
+  add("cell-stream", CellStreamOptions{.spes = isa, .spus = 1}, "cell_stream_on_isa");
+  add("cell-resident", CellResidentOptions{.spes = late, .spus = 5, .spu_boxes = true},
+      "cell_resident_on_isa_with_late_dma_five_spus_and_spu_boxes");
 #endif
 }
 
-bool is_in_table(std::string_view name) {
-  return std::ranges::any_of(engine_table(), [&](const EngineInfo& info) { return info.name == name; });
+#else
+
+void add_cell_options(std::vector<ContractEngine>&) {}
+void add_isa_engines(std::vector<ContractEngine>&) {}
+
+#endif
+
+/// One job system for all broadphases of a row, as a program would have it.
+void add_executors(std::vector<ContractEngine>& engines) {
+  const auto add = [&](std::shared_ptr<Executor> executor, const char* label) {
+    const StreamOptions options{.threads = kConcurrency, .executor = std::move(executor)};
+    engines.push_back(engine_with_options("stream", options, label));
+  };
+  add(std::make_shared<SequentialExecutor>(), "stream_with_a_sequential_executor");
+#if defined(CELLSWEEP_HAS_TBB) && !defined(CELLSWEEP_THREAD_SANITIZED_TESTS)
+  // The thread sanitizer does not see how TBB's threads wait for each other.
+  add(make_tbb_executor(), "stream_with_a_tbb_executor");
+#endif
 }
 
 std::vector<ContractEngine> list_engines() {
   std::vector<ContractEngine> engines;
-  for (const EngineInfo& info : engine_table()) {
-    engines.push_back({std::string(info.name), {}, label_of(info.name)});
+  for (const EngineInfo& info : every_engine()) {
+    engines.push_back(engine_with_settings(std::string(info.name), {}, label_of(info.name)));
   }
-  engines.push_back({"control", {.pair_map_bytes = kSmallPairMap}, "control_with_a_small_pair_map"});
+  engines.push_back(engine_with_options("control", ControlOptions{.pair_map_bytes = kSmallPairMap},
+                                        "control_with_a_small_pair_map"));
 #if !defined(CELLSWEEP_SANITIZED_TESTS)
   // Under sanitizers the determinism contract and the engine's own tests have threads enough.
-  engines.push_back({"stream", {.threads = 3}, "stream_with_three_threads"});
+  engines.push_back(engine_with_options("stream", StreamOptions{.threads = 3}, "stream_with_three_threads"));
 #endif
-  engines.push_back(
-      {"stream", {.threads = 1, .isa = VectorIsa::portable}, "stream_with_one_thread_and_portable_kernels"});
-  if (is_in_table("cell-paper")) {
-    add_cell_options(engines);
-    add_isa_engines(engines);
-  }
+  engines.push_back(engine_with_options("stream", StreamOptions{.threads = 1, .isa = VectorIsa::portable},
+                                        "stream_with_one_thread_and_portable_kernels"));
+  add_executors(engines);
+  add_cell_options(engines);
+  add_isa_engines(engines);
   return engines;
 }
 
@@ -115,16 +152,39 @@ const std::vector<ContractEngine>& contract_engines() {
   return engines;
 }
 
-std::optional<EngineOptions> small_capacity_options(const ContractEngine& engine) {
-  if (engine.name.starts_with("cell-")) return small_local_store(engine.name, engine.options);
-  if (engine.name != "control") return std::nullopt;
-  EngineOptions options = engine.options;
-  options.pair_map_bytes = kSmallPairMap;
-  return options;
+std::string label_of(std::string_view name) {
+  std::string label(name);
+  std::replace_if(
+      label.begin(), label.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return label;
 }
 
-std::unique_ptr<Broadphase> make(const ContractEngine& engine) {
-  auto made = make_engine(engine.name, engine.options);
+bool has_setting(const EngineInfo& info, std::string_view setting) {
+  return std::ranges::any_of(info.settings, [&](const SettingInfo& has) { return has.name == setting; });
+}
+
+ContractEngine engine_with_settings(const std::string& name, const SettingValues& settings,
+                                    std::string label) {
+  const auto with = [name, settings](const char* setting, std::uint64_t value) {
+    SettingValues more = settings;
+    more.emplace_back(setting, std::to_string(value));
+    return make_broadphase(name, more);
+  };
+  ContractEngine engine{name, [name, settings] { return make_broadphase(name, settings); }, std::move(label)};
+  const EngineInfo* info = find_engine(name);
+  if (info == nullptr) throw std::invalid_argument("no engine is called " + name);
+  if (has_setting(*info, "local_store")) {
+    engine.shrink = [with] {
+      return with_small_local_store([with](std::uint64_t bytes) { return with("local_store", bytes); });
+    };
+  } else if (has_setting(*info, "pair_map_bytes")) {
+    engine.shrink = [with]() -> Maker { return [with] { return with("pair_map_bytes", kSmallPairMap); }; };
+  }
+  return engine;
+}
+
+Broadphase make(const ContractEngine& engine) {
+  Result<Broadphase> made = engine.make();
   if (!made) throw std::runtime_error(engine.label + ": " + made.status().message);
   return std::move(*made);
 }

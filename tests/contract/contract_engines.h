@@ -1,35 +1,48 @@
 /// @file
-/// The engines that the contract suite runs on: the whole engine table, and option sets worth a run of their
+/// The engines that the contract suite runs on: the whole engine table, and settings worth a run of their
 /// own.
 #pragma once
 
-#include <memory>
-#include <optional>
+#include <functional>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "cellsweep/broadphase.h"
 #include "cellsweep/engines.h"
 
 namespace cellsweep::contract {
 
-/// An engine and the options to make it with. The label is its name in test names: letters, digits and `_`.
+/// An engine with settings. The label is its name in test names: letters, digits and `_`.
 struct ContractEngine {
+  using Maker = std::function<Result<Broadphase>()>;
+
   std::string name;
-  EngineOptions options;
+  Maker make;
   std::string label;
+  /// Finds settings with which its capacity is small enough to fill in a test, but not below the 16 bodies
+  /// that the fixed scenes of the suite need; null where no setting does that.
+  std::function<Maker()> shrink{};
+  bool takes_poses = false;
 };
 
-/// Every engine of the table with default options, then the extra option sets. A new engine is here by being
-/// in the table; options that give up exactness (`literal`) are never here.
+/// Every engine of the table with default settings, then the extra settings. A new engine is here by being in
+/// the table; settings that give up exactness (`literal`) are never here.
 const std::vector<ContractEngine>& contract_engines();
 
-/// Options that make the engine's capacity small enough to fill in a test, but not below the 16 bodies that
-/// the fixed scenes of the suite need; nothing when no option does.
-std::optional<EngineOptions> small_capacity_options(const ContractEngine& engine);
+/// An engine of the table by name, with settings as texts.
+ContractEngine engine_with_settings(const std::string& name, const SettingValues& settings,
+                                    std::string label);
 
-/// A new engine; throws std::runtime_error with the status' message when the table refuses.
-std::unique_ptr<Broadphase> make(const ContractEngine& engine);
+/// The name of an engine in letters, digits and `_`.
+std::string label_of(std::string_view name);
+
+/// Whether an engine of the table has a setting of that name.
+bool has_setting(const EngineInfo& info, std::string_view setting);
+
+/// A new broadphase; throws std::runtime_error with the status' message when there is none.
+Broadphase make(const ContractEngine& engine);
 
 std::ostream& operator<<(std::ostream& out, const ContractEngine& engine);
 

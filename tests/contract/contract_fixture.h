@@ -6,6 +6,7 @@
 
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "contract/box_kinds.h"
 #include "contract/contract_engines.h"
@@ -31,9 +32,23 @@ inline auto all_engines() {
   return testing::ValuesIn(contract_engines());
 }
 
-inline auto all_engines_and_kinds() {
+/// Those that come with the handle, whose memory is base/memory/'s.
+inline auto engines_of_the_core() {
+  std::vector<ContractEngine> engines;
+  for (const ContractEngine& engine : contract_engines()) {
+    if (engine.name == "stream" || engine.name == "control" || engine.name == "oracle")
+      engines.push_back(engine);
+  }
+  return testing::ValuesIn(engines);
+}
+
+inline auto all_kinds() {
   const auto kinds = box_kinds();
-  return testing::Combine(all_engines(), testing::ValuesIn(kinds.begin(), kinds.end()));
+  return testing::ValuesIn(kinds.begin(), kinds.end());
+}
+
+inline auto all_engines_and_kinds() {
+  return testing::Combine(all_engines(), all_kinds());
 }
 
 }  // namespace cellsweep::contract

@@ -11,6 +11,7 @@
 #include "contract/contract_fixture.h"
 #include "contract/effort.h"
 #include "contract/random_caller.h"
+#include "every_engine.h"
 
 namespace cellsweep::contract {
 namespace {
@@ -33,21 +34,36 @@ std::vector<Answer> answers_of(const ContractEngine& engine, const BoxKind& kind
   return answers;
 }
 
-ContractEngine with_threads(ContractEngine engine, unsigned threads) {
-  engine.options.threads = threads;
-  engine.label += "_threads_" + std::to_string(threads);
-  return engine;
+ContractEngine with_threads(const ContractEngine& engine, unsigned threads) {
+  const std::string number = std::to_string(threads);
+  return engine_with_settings(engine.name, {{"threads", number}}, engine.label + "_threads_" + number);
 }
 
-using DeterminismContract = PerEngineAndKind;
+using ThreadCountContract = PerEngineAndKind;
 
-TEST_P(DeterminismContract, TheThreadCountChangesNoListAndNoOrder) {
+TEST_P(ThreadCountContract, TheThreadCountChangesNoListAndNoOrder) {
   const auto& [engine, kind] = GetParam();
   const std::vector<Answer> reference = answers_of(engine, kind);
   for (unsigned threads = 1; threads <= effort(4U, 2U); ++threads) {
     EXPECT_TRUE(reference == answers_of(with_threads(engine, threads), kind)) << threads << " threads";
   }
 }
+
+/// The engines of the table that can be told how many threads to use.
+std::vector<ContractEngine> engines_with_threads() {
+  std::vector<ContractEngine> engines;
+  for (const EngineInfo& info : every_engine()) {
+    if (!has_setting(info, "threads")) continue;
+    engines.push_back(engine_with_settings(std::string(info.name), {}, label_of(info.name)));
+  }
+  return engines;
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, ThreadCountContract,
+                         testing::Combine(testing::ValuesIn(engines_with_threads()), all_kinds()),
+                         engine_and_kind_label);
+
+using DeterminismContract = PerEngineAndKind;
 
 TEST_P(DeterminismContract, TwoEnginesCalledInTurnAnswerAlike) {
   const auto& [engine, kind] = GetParam();

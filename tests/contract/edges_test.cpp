@@ -60,16 +60,6 @@ TEST_P(EdgesContract, RemovingAllBodiesEndsAllPairs) {
   EXPECT_THAT(checked_.answer().ended, IsEmpty());
 }
 
-TEST_P(EdgesContract, ABodyReplacedByOneWithTheSameIdAndBoxKeepsItsPairs) {
-  ASSERT_TRUE(checked_.insert({1, 2}, {cube_at(0), cube_at(0.5F)}));
-  ASSERT_TRUE(checked_.update());
-  ASSERT_TRUE(checked_.remove({1}));
-  ASSERT_TRUE(checked_.insert({1}, {cube_at(0)}));
-  ASSERT_TRUE(checked_.update());
-  EXPECT_THAT(checked_.answer().began, IsEmpty());
-  EXPECT_THAT(checked_.answer().ended, IsEmpty());
-}
-
 TEST_P(EdgesContract, ABodyReplacedByAnotherIdInTheSamePlaceEndsOnePairAndBeginsOne) {
   ASSERT_TRUE(checked_.insert({1, 2}, {cube_at(0), cube_at(0.5F)}));
   ASSERT_TRUE(checked_.update());
@@ -78,25 +68,6 @@ TEST_P(EdgesContract, ABodyReplacedByAnotherIdInTheSamePlaceEndsOnePairAndBegins
   ASSERT_TRUE(checked_.update());
   EXPECT_THAT(checked_.answer().ended, ElementsAre(Pair{1, 2}));
   EXPECT_THAT(checked_.answer().began, ElementsAre(Pair{2, 3}));
-}
-
-TEST_P(EdgesContract, APairThatBeganAndEndedBetweenTwoUpdatesIsNotMentioned) {
-  ASSERT_TRUE(checked_.insert({1, 2}, {cube_at(0), cube_at(9)}));
-  ASSERT_TRUE(checked_.update());
-  ASSERT_TRUE(checked_.move({2}, {cube_at(0)}));
-  ASSERT_TRUE(checked_.move({2}, {cube_at(9)}));
-  ASSERT_TRUE(checked_.insert({3}, {cube_at(0)}));
-  ASSERT_TRUE(checked_.remove({3}));
-  ASSERT_TRUE(checked_.update());
-  EXPECT_EQ(checked_.answer(), Answer{});
-}
-
-TEST_P(EdgesContract, TheLastOfSeveralMovesCounts) {
-  ASSERT_TRUE(checked_.insert({1, 2}, {cube_at(0), cube_at(9)}));
-  ASSERT_TRUE(checked_.move({2}, {cube_at(4)}));
-  ASSERT_TRUE(checked_.move({2}, {cube_at(1)}));
-  ASSERT_TRUE(checked_.update());
-  EXPECT_THAT(checked_.answer().began, ElementsAre(Pair{1, 2}));
 }
 
 TEST_P(EdgesContract, TouchingAtAFaceAnEdgeOrACornerCounts) {

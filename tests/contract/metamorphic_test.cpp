@@ -83,17 +83,17 @@ Status tell_frame(Broadphase& engine, const Telling& telling, const std::vector<
 }
 
 Report play(const ContractEngine& entry, const Telling& telling, const Film& film) {
-  const auto engine = make(entry);
+  Broadphase engine = make(entry);
   Report report;
   for (std::size_t frame = 0; frame < film.size(); ++frame) {
-    const Status status = tell_frame(*engine, telling, film[frame], frame == 0);
+    const Status status = tell_frame(engine, telling, film[frame], frame == 0);
     EXPECT_TRUE(status.ok()) << status.message;
-    const auto changes = engine->update();
+    const auto changes = engine.update();
     if (!changes) {
       ADD_FAILURE() << changes.status().message;
       return report;
     }
-    report.pairs.push_back(by_number(engine->pairs(), telling.names));
+    report.pairs.push_back(by_number(engine.pairs(), telling.names));
     report.began.push_back(by_number(changes->began, telling.names));
     report.ended.push_back(by_number(changes->ended, telling.names));
   }
@@ -108,7 +108,7 @@ class MetamorphicContract : public PerEngineAndKind {
   /// Plays scenes as they are and as each of the changes tells them.
   void expect_no_difference(const std::vector<Change>& changes) {
     const auto& [engine, kind] = GetParam();
-    const auto room = static_cast<std::size_t>(make(engine)->capacity().bodies);
+    const auto room = static_cast<std::size_t>(make(engine).capacity().bodies);
     for (std::uint64_t seed = 0; seed < effort(4, 1, 1); ++seed) {
       const std::size_t bodies = std::min<std::size_t>(20 + 13 * seed, room);
       const Film film = make_film(kind, bodies, seed);

@@ -56,16 +56,22 @@ AssertionResult RandomCaller::fill() {
   return engine_.insert(ids, make_boxes(kind_, random_, ids.size()));
 }
 
-AssertionResult RandomCaller::step() {
-  for (std::size_t calls = random_.below(7); calls > 0; --calls) {
+AssertionResult RandomCaller::calls() {
+  for (std::size_t left = random_.below(7); left > 0; --left) {
     if (AssertionResult result = call(); !result) return result;
   }
+  return AssertionSuccess();
+}
+
+AssertionResult RandomCaller::step() {
+  if (AssertionResult made = calls(); !made) return made;
+  engine_.look_at_pairs(!random_.one_in(3));
   return engine_.update();
 }
 
 AssertionResult RandomCaller::call() {
   const std::size_t held = engine_.model().boxes.size();
-  switch (random_.below(16)) {
+  switch (random_.below(17)) {
     case 0:
     case 1:
       return insert_some(1);
@@ -90,19 +96,29 @@ AssertionResult RandomCaller::call() {
       return move_some(1);
     case 13:
       return move_some(held);
+    case 14:
+      return add_some(random_.one_in(2) ? 1 : bodies_);
     default:
       return move_some(1 + held / 8);
   }
 }
 
 AssertionResult RandomCaller::insert_some(std::size_t most) {
-  const std::size_t room = std::min(engine_.capacity(), names_.size()) - engine_.model().boxes.size();
-  const std::vector<BodyId> ids = some_absent(std::min(most, room));
+  const std::vector<BodyId> ids = some_absent(std::min(most, room()));
   return engine_.insert(ids, make_boxes(kind_, random_, ids.size()));
 }
 
+/// Bodies whose ids are handed out, and may be the names of this run, too.
+AssertionResult RandomCaller::add_some(std::size_t most) {
+  const std::size_t limit = std::min(most, room());
+  const std::size_t count = limit == 0 ? 0 : 1 + random_.below(limit);
+  std::vector<BodyId> ids;
+  return engine_.add(make_boxes(kind_, random_, count), ids);
+}
+
 AssertionResult RandomCaller::move_some(std::size_t most) {
-  const std::vector<BodyId> ids = some_present(most);
+  std::vector<BodyId> ids = some_present(most);
+  if (!ids.empty() && random_.one_in(4)) ids.push_back(random_.pick(ids));
   return engine_.move(ids, next_boxes(ids));
 }
 
@@ -110,8 +126,8 @@ AssertionResult RandomCaller::remove_some(std::size_t most) {
   return engine_.remove(some_present(most));
 }
 
-/// Takes bodies out and puts bodies of the same ids in again, often with the same boxes, so that their pairs
-/// must neither end nor begin.
+/// Takes bodies out and puts bodies of the same ids in again, often with the same boxes: all pairs of theirs
+/// must end, and those that they have now begin.
 AssertionResult RandomCaller::replace_some(std::size_t most) {
   const std::vector<BodyId> ids = some_present(most);
   std::vector<Aabb> boxes = next_boxes(ids);
@@ -124,8 +140,7 @@ AssertionResult RandomCaller::replace_some(std::size_t most) {
 
 /// Bodies that no update ever sees.
 AssertionResult RandomCaller::insert_and_remove() {
-  const std::size_t room = engine_.capacity() - engine_.model().boxes.size();
-  const std::vector<BodyId> ids = some_absent(std::min<std::size_t>(3, room));
+  const std::vector<BodyId> ids = some_absent(std::min<std::size_t>(3, room()));
   const AssertionResult inserted = engine_.insert(ids, make_boxes(kind_, random_, ids.size()));
   return inserted ? engine_.remove(ids) : inserted;
 }
@@ -138,6 +153,12 @@ AssertionResult RandomCaller::nothing_in_bulk() {
   if (AssertionResult inserted = engine_.insert({}, {}); !inserted) return inserted;
   if (AssertionResult moved = engine_.move({}, {}); !moved) return moved;
   return engine_.remove({});
+}
+
+/// How many bodies more there may be.
+std::size_t RandomCaller::room() const {
+  const std::size_t most = std::min(engine_.capacity(), names_.size());
+  return most - std::min(most, engine_.model().boxes.size());
 }
 
 std::vector<BodyId> RandomCaller::some_present(std::size_t most) {

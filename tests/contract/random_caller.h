@@ -1,5 +1,5 @@
 /// @file
-/// A random user of an engine: inserts, moves and removes bodies, one at a time and in bulk.
+/// A random user of an engine: inserts, adds, moves and removes bodies, one at a time and in bulk.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,12 +23,16 @@ class RandomCaller {
   /// Inserts all `bodies` at once.
   testing::AssertionResult fill();
 
-  /// Up to six calls, or none, and an update.
+  /// Up to six calls, or none.
+  testing::AssertionResult calls();
+
+  /// calls() and an update, after which pairs() is called or is not.
   testing::AssertionResult step();
 
  private:
   testing::AssertionResult call();
   testing::AssertionResult insert_some(std::size_t most);
+  testing::AssertionResult add_some(std::size_t most);
   testing::AssertionResult move_some(std::size_t most);
   testing::AssertionResult remove_some(std::size_t most);
   testing::AssertionResult replace_some(std::size_t most);
@@ -36,6 +40,7 @@ class RandomCaller {
   testing::AssertionResult remove_all();
   testing::AssertionResult nothing_in_bulk();
 
+  std::size_t room() const;
   std::vector<BodyId> some_present(std::size_t most);
   std::vector<BodyId> some_absent(std::size_t most);
   std::vector<Aabb> next_boxes(const std::vector<BodyId>& ids);
@@ -44,7 +49,7 @@ class RandomCaller {
   const BoxKind& kind_;
   std::size_t bodies_;
   Random random_;
-  std::vector<BodyId> names_;  ///< the ids that this run uses: twice as many as bodies
+  std::vector<BodyId> names_;  ///< the ids that this run gives: twice as many as bodies
 };
 
 /// What a failure message says about a run.

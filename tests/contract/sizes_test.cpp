@@ -18,8 +18,8 @@ std::vector<BodyId> first_ids(std::size_t count) {
   return ids;
 }
 
-/// The life of a scene: all bodies at once, a standstill, a few moves, everything moves, half of it goes,
-/// some of that comes back, all goes.
+/// The life of a scene: all bodies at once, a standstill, a few moves, everything moves, a few are replaced
+/// while others move, half of it goes and comes back, all goes.
 void live_through(CheckedEngine& checked, const BoxKind& kind, std::size_t bodies, std::uint64_t seed) {
   Random random(seed);
   const std::vector<BodyId> ids = first_ids(bodies);
@@ -33,6 +33,10 @@ void live_through(CheckedEngine& checked, const BoxKind& kind, std::size_t bodie
   ASSERT_TRUE(checked.move(few, make_boxes(kind, random, few.size())));
   ASSERT_TRUE(checked.update());
   ASSERT_TRUE(checked.move(ids, make_boxes(kind, random, bodies)));
+  ASSERT_TRUE(checked.update());
+  ASSERT_TRUE(checked.remove(few));
+  ASSERT_TRUE(checked.insert(few, make_boxes(kind, random, few.size())));
+  ASSERT_TRUE(checked.move(half, make_boxes(kind, random, half.size())));
   ASSERT_TRUE(checked.update());
   ASSERT_TRUE(checked.remove(half));
   ASSERT_TRUE(checked.update());

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "isa/elf_loader.h"
+#include "isa/elf/elf_loader.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
 
 namespace cellsweep {
 

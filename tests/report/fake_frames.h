@@ -1,12 +1,13 @@
 /// @file
-/// Frames and engines made by hand for the tests of the reports.
+/// Frames and an engine made by hand for the tests of the reports.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "cellsweep/broadphase.h"
-#include "cellsweep/frame_source.h"
+#include "cellsweep/engine/engine.h"
+#include "cellsweep/world/frame_source.h"
 
 namespace cellsweep::report {
 
@@ -42,37 +43,40 @@ inline FakeFrames meeting_cubes() {
   return FakeFrames({{at_zero, beside}, {at_zero, away}, {at_zero, beside}});
 }
 
-/// An engine that says whatever it was told to say.
-class FakeEngine final : public Broadphase {
+/// An engine that says whatever it was told to say, frame by frame, and claims to have taken long.
+class FakeEngine final : public Engine {
  public:
-  using Broadphase::insert;
-  using Broadphase::move;
-  using Broadphase::remove;
+  using Answers = std::vector<std::vector<SlotPair>>;
 
-  explicit FakeEngine(std::vector<std::vector<Pair>> answers) : answers_(std::move(answers)) {
-    statistics_.phases = {{"set-up", 1e6, true}, {"work", 0.0, false}};
-  }
+  static constexpr double kSetupMs = 1e6;
+  static constexpr double kWorkMs = 2;
+  static constexpr double kSpesMs = 3;
 
-  std::string_view name() const override { return "fake"; }
+  explicit FakeEngine(Answers answers) : answers_(std::move(answers)) {}
+
   Capacity capacity() const override { return {1000, "", "it is fake"}; }
-  Status insert(std::span<const BodyId> ids, std::span<const Aabb>) override {
-    size_ += ids.size();
-    return {};
+
+  Result<FoundPairs> update(const BodyChanges&, Statistics& statistics) override {
+    statistics.phases = {{"set-up", kSetupMs, PhaseKind::setup},
+                         {"work", kWorkMs, PhaseKind::work},
+                         {"spus", kSpesMs, PhaseKind::spes},
+                         {"fill", kSetupMs, PhaseKind::setup}};
+    FoundPairs found;
+    found.began = answers_[frame_++];
+    found.is_whole_set = true;
+    return found;
   }
-  Status move(std::span<const BodyId>, std::span<const Aabb>) override { return {}; }
-  Status remove(std::span<const BodyId>) override { return {}; }
-  Result<PairChanges> update() override {
-    ++statistics_.updates;
-    return PairChanges{};
-  }
-  std::span<const Pair> pairs() const override { return answers_[statistics_.updates - 1]; }
-  std::size_t size() const override { return size_; }
-  const Statistics& statistics() const override { return statistics_; }
 
  private:
-  std::vector<std::vector<Pair>> answers_;
-  std::size_t size_ = 0;
-  Statistics statistics_;
+  Answers answers_;
+  std::size_t frame_ = 0;
 };
+
+/// A broadphase with a FakeEngine.
+inline Broadphase make_fake(const FakeEngine::Answers& answers) {
+  return std::move(*EngineAccess::make("fake", [answers]() -> Result<std::unique_ptr<Engine>> {
+    return std::unique_ptr<Engine>(std::make_unique<FakeEngine>(answers));
+  }));
+}
 
 }  // namespace cellsweep::report

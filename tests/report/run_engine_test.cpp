@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 #include "cellsweep/engines.h"
 #include "fake_frames.h"
+#include "report/interrupt.h"
 
 namespace cellsweep::report {
 namespace {
@@ -12,9 +15,9 @@ namespace {
 using ::testing::HasSubstr;
 
 RunReport run_control(const RunSettings& settings) {
-  auto engine = std::move(*make_engine("control"));
+  Broadphase engine = std::move(*make_broadphase("control"));
   FakeFrames frames = meeting_cubes();
-  return std::move(*run_engine(*engine, frames, settings));
+  return std::move(*run_engine(engine, frames, settings));
 }
 
 TEST(RunEngine, ReportsTheFirstAndLastFrameByDefault) {
@@ -41,29 +44,39 @@ TEST(RunEngine, StopsWhereTheSourceEnds) {
 }
 
 TEST(RunEngine, RefusesAReportFrameThatIsNotReached) {
-  auto engine = std::move(*make_engine("control"));
+  Broadphase engine = std::move(*make_broadphase("control"));
   FakeFrames frames = meeting_cubes();
-  const Status status = run_engine(*engine, frames, {1000, {3}}).status();
+  const Status status = run_engine(engine, frames, {1000, {3}}).status();
   EXPECT_EQ(status.code, StatusCode::bad_input);
   EXPECT_THAT(status.message, HasSubstr("the last frame is 2"));
 }
 
 TEST(RunEngine, KeepsSetUpPhasesOutOfTheFrameTimes) {
-  FakeEngine engine({{}, {}, {}});
+  Broadphase engine = make_fake({{}, {}, {}});
   FakeFrames frames = meeting_cubes();
   const auto run = run_engine(engine, frames, {2, {}});
   ASSERT_TRUE(run.ok());
-  EXPECT_EQ(run->setup_ms, 3e6);
+  EXPECT_EQ(run->setup_ms, 6 * FakeEngine::kSetupMs) << "two phases in each of three frames";
   EXPECT_LT(run->initial_ms, 0);  // the fake claims more set-up time than has passed
 }
 
 TEST(RunEngine, RefusesPosesOfASourceThatKnowsNone) {
   FakeFrames frames = meeting_cubes();
-  FakeEngine engine(std::vector<std::vector<Pair>>(1));
+  Broadphase engine = make_fake({{}});
   const Status status =
       run_engine(engine, frames, {.updates = 1, .report_frames = {}, .shape = Shape::poses}).status();
   EXPECT_EQ(status.code, StatusCode::bad_input);
-  EXPECT_EQ(status.setting, "spu-boxes");
+  EXPECT_EQ(status.setting, "spu_boxes");
+}
+
+TEST(RunEngine, EndsAfterTheFrameThatItIsAtWhenItIsInterrupted) {
+  const InterruptScope interrupts;
+  std::raise(SIGINT);
+  const RunReport run = run_control({1000, {}});
+  EXPECT_EQ(run.update_ms.size(), 0U);
+  ASSERT_EQ(run.frames.size(), 1U);
+  EXPECT_EQ(run.frames[0].pairs, 1U);
+  EXPECT_EQ(run_control({1000, {2}}).frames.size(), 0U) << "a frame that was never reached is no fault then";
 }
 
 }  // namespace

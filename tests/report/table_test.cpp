@@ -22,13 +22,15 @@ TEST(Table, ShowsNoControlCharacters) {
   EXPECT_EQ(table.text(), "name\n---------\npile?[2J?\n");
 }
 
-TEST(DurationText, KeepsThreeDigitsAndChoosesTheUnit) {
-  EXPECT_EQ(duration_text(186.4), "186 ms");
-  EXPECT_EQ(duration_text(3.617), "3.62 ms");
-  EXPECT_EQ(duration_text(36.17), "36.2 ms");
-  EXPECT_EQ(duration_text(0.0085), "8.50 us");
-  EXPECT_EQ(duration_text(0.5), "500 us");
-  EXPECT_EQ(duration_text(0), "0.00 us");
+TEST(Table, CountsCharactersAndNotBytes) {
+  Table table({"name", "time"});
+  table.add({"a", "8.50 µs"});
+  table.add({"b", "9.99 ms"});
+  EXPECT_EQ(table.text(),
+            "name     time\n"
+            "----  -------\n"
+            "a     8.50 µs\n"
+            "b     9.99 ms\n");
 }
 
 }  // namespace

@@ -3,57 +3,50 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 #include "cellsweep/engines.h"
 #include "fake_frames.h"
+#include "report/interrupt.h"
 
 namespace cellsweep::report {
 namespace {
 
-using ::testing::HasSubstr;
-
-VerifyReport verdict_on(std::unique_ptr<Broadphase> engine) {
-  std::vector<std::unique_ptr<Broadphase>> engines;
-  engines.push_back(std::move(engine));
+VerifyReport verdict_on(Broadphase engine) {
+  std::vector<FedEngine> engines;
+  engines.push_back({std::move(engine), Shape::boxes});
   FakeFrames frames = meeting_cubes();
   return std::move(verify_engines(engines, frames, 100)->front());
 }
 
-VerifyReport verdict_on_answers(std::vector<std::vector<Pair>> answers) {
-  return verdict_on(std::make_unique<FakeEngine>(std::move(answers)));
-}
-
 TEST(Verify, FindsAnExactEngineExact) {
-  const VerifyReport verdict = verdict_on(std::move(*make_engine("control")));
+  const VerifyReport verdict = verdict_on(std::move(*make_broadphase("control")));
   EXPECT_TRUE(verdict.exact());
   EXPECT_EQ(verdict.frames, 3U);
   EXPECT_EQ(verdict.pairs, 2U);
 }
 
-TEST(Verify, CountsMissedPairsAndNamesTheFirst) {
-  const VerifyReport verdict = verdict_on_answers({{}, {}, {}});
-  EXPECT_EQ(verdict.missed, 2U);
-  ASSERT_TRUE(verdict.first.has_value());
-  EXPECT_EQ(verdict.first->frame, 0U);
-  EXPECT_TRUE(verdict.first->missed);
-  EXPECT_THAT(describe(*verdict.first), HasSubstr("frame 0: pair 0 1 overlaps but was not reported"));
+TEST(Verify, CountsWhatAnEngineMissesAndInvents) {
+  EXPECT_EQ(verdict_on(make_fake({{}, {}, {}})).missed, 2U);
+  EXPECT_EQ(verdict_on(make_fake({{{0, 1}}, {{0, 1}}, {{0, 1}}})).invented, 1U);
 }
 
-TEST(Verify, CountsInventedPairsEvenOfBodiesThatAreNotThere) {
-  const VerifyReport verdict = verdict_on_answers({{{0, 1}, {5, 9}}, {{0, 1}}, {{0, 1}}});
-  EXPECT_EQ(verdict.invented, 2U);
-  EXPECT_EQ(verdict.first->pair, (Pair{5, 9}));
+TEST(Verify, JudgesEnginesSideBySide) {
+  std::vector<FedEngine> engines;
+  engines.push_back({std::move(*make_broadphase("stream")), Shape::boxes});
+  engines.push_back({make_fake({{}, {}, {}}), Shape::boxes});
+  FakeFrames frames = meeting_cubes();
+  const auto verdicts = verify_engines(engines, frames, 1);
+  ASSERT_TRUE(verdicts.ok());
+  EXPECT_TRUE((*verdicts)[0].exact());
+  EXPECT_FALSE((*verdicts)[1].exact());
+  EXPECT_EQ((*verdicts)[1].frames, 2U);
 }
 
-TEST(Verify, CountsAPairListedTwiceAsInvented) {
-  EXPECT_EQ(verdict_on_answers({{{0, 1}, {0, 1}}, {}, {{0, 1}}}).invented, 1U);
-}
-
-TEST(Verify, CountsChangesThatAreNotTheDifferenceOfTheFrames) {
-  // The right pairs in every frame, but never a word that any began or ended.
-  const VerifyReport verdict = verdict_on_answers({{{0, 1}}, {}, {{0, 1}}});
-  EXPECT_EQ(verdict.missed + verdict.invented, 0U);
-  EXPECT_EQ(verdict.wrong_changes, 3U);
-  EXPECT_FALSE(verdict.exact());
+TEST(Verify, EndsAfterTheFrameThatItIsAtWhenItIsInterrupted) {
+  const InterruptScope interrupts;
+  std::raise(SIGINT);
+  EXPECT_EQ(verdict_on(Broadphase()).frames, 1U);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class Keys : public testing::Test {
     return std::move(*Simulation::make({.recording = nullptr,
                                         .scene = {.scene = "paper", .bodies = bodies, .moving = 0.1},
                                         .engine = "stream",
-                                        .options = {}}));
+                                        .settings = {}}));
   }
 
   std::unique_ptr<Simulation> simulation_ = made(64);
@@ -125,6 +125,36 @@ TEST_F(Keys, ShowAndHidePanelAndHelpAndEnd) {
   EXPECT_TRUE(controller_.wants_to_quit());
 }
 
+TEST_F(Keys, ShowFatBoxesAndCellsOfStreamAndHideThem) {
+  EXPECT_FALSE(controller_.stream_parts().fat_boxes || controller_.stream_parts().cells);
+  controller_.press('F');
+  EXPECT_TRUE(controller_.stream_parts().fat_boxes);
+  EXPECT_FALSE(controller_.stream_parts().cells);
+  controller_.press('C');
+  controller_.press('F');
+  EXPECT_FALSE(controller_.stream_parts().fat_boxes);
+  EXPECT_TRUE(controller_.stream_parts().cells);
+  EXPECT_THAT(controller_.complaint(), IsEmpty());
+}
+
+TEST_F(Keys, SayThatAnotherEngineHasNoCellsToShow) {
+  controller_.use_engine("control");
+  controller_.press('C');
+  EXPECT_THAT(controller_.complaint(), HasSubstr("control has no fat boxes and cells"));
+  EXPECT_TRUE(controller_.stream_parts().cells) << "they show when stream runs again";
+  controller_.press('C');
+  EXPECT_THAT(controller_.complaint(), IsEmpty());
+}
+
+TEST_F(Keys, ShowAllOfARefusalUntilTheNext) {
+  controller_.use_engine("nosuch");
+  EXPECT_FALSE(controller_.shows_reason());
+  controller_.press('W');
+  EXPECT_TRUE(controller_.shows_reason());
+  controller_.use_engine("nosuch");
+  EXPECT_FALSE(controller_.shows_reason());
+}
+
 TEST_F(Keys, ThatAreHeldStepAndTurnAgainButDoNotDoubleTheBodiesAgain) {
   controller_.press('B');
   controller_.press('B', true);
@@ -143,8 +173,10 @@ TEST_F(Keys, ThatAreForNothingDoNothing) {
 
 TEST_F(Keys, SayWhatARecordingDoesNotLetThemChange) {
   const Recording one{"one", "boxes", Aabb{{0, 0, 0}, {2, 2, 2}}, 1, {Aabb{{0, 0, 0}, {1, 1, 1}}}};
-  const auto recording = std::move(*Simulation::make(
-      {.recording = std::make_shared<const Recording>(one), .scene = {}, .engine = "stream", .options = {}}));
+  const auto recording = std::move(*Simulation::make({.recording = std::make_shared<const Recording>(one),
+                                                      .scene = {},
+                                                      .engine = "stream",
+                                                      .settings = {}}));
   Controller controller(*recording);
   controller.press('B');
   EXPECT_THAT(controller.complaint(), HasSubstr("recording"));

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#include "broadphase/brute_force.h"
+#include "report/all_engines.h"
+#include "report/oracle.h"
 #include "view/drawn_boxes.h"
 
 namespace cellsweep::view {
@@ -21,7 +22,7 @@ SimulationSettings scene(std::size_t bodies, double moving = 0.5) {
   return {.recording = nullptr,
           .scene = {.scene = "paper", .bodies = bodies, .moving = moving},
           .engine = "stream",
-          .options = {}};
+          .settings = {}};
 }
 
 std::unique_ptr<Simulation> made(SimulationSettings settings) {
@@ -39,7 +40,7 @@ std::vector<Aabb> boxes_of(const FrameSource& source) {
 }
 
 std::size_t right_pairs(const Simulation& simulation) {
-  return brute_force_pairs(simulation.source().boxes()).size();
+  return report::oracle_pairs(simulation.source().boxes()).size();
 }
 
 /// Two boxes that meet in the second of three frames.
@@ -70,7 +71,7 @@ TEST(Simulation, PaintsGreenWhatAnyEngineFindsColliding) {
     ASSERT_TRUE(simulation->use_engine(info.name).ok()) << info.name;
     step(*simulation, 3);
     std::vector<bool> expected(150, false);
-    for (const Pair& pair : brute_force_pairs(simulation->source().boxes()))
+    for (const Pair& pair : report::oracle_pairs(simulation->source().boxes()))
       expected[pair.a] = expected[pair.b] = true;
     EXPECT_EQ(simulation->colliding(), expected) << info.name;
     EXPECT_EQ(simulation->engine_name(), info.name);
@@ -176,6 +177,69 @@ TEST(Simulation, RemembersTheTimesOfTheLatestFramesOfOneEngine) {
   EXPECT_THAT(simulation->frame_times(), SizeIs(0));
 }
 
+TEST(Simulation, KnowsWhatTheEngineTookForTheFrame) {
+  const auto simulation = made(scene(100));
+  EXPECT_GT(simulation->frame_time().total_ms, 0) << "frame 0";
+  ASSERT_TRUE(simulation->use_engine("control").ok());
+  EXPECT_GT(simulation->frame_time().setup_ms, 0) << "its map of all pairs";
+  EXPECT_FALSE(simulation->frame_time().phases.empty());
+  step(*simulation, 1);
+  EXPECT_LT(simulation->frame_time().setup_ms, simulation->frame_time().total_ms);
+  EXPECT_EQ(simulation->frame_times().back(), static_cast<float>(simulation->frame_time().work_ms()));
+}
+
+TEST(Simulation, GivesEachEngineTheSettingsThatItHas) {
+  SimulationSettings settings = scene(10);
+  settings.settings = {{"threads", "1"}, {"pair_map_bytes", std::to_string(64 * 45)}};  // ten bodies
+  const auto simulation = made(settings);
+  ASSERT_TRUE(simulation->use_engine("control").ok());
+  EXPECT_EQ(simulation->use_bodies(11).code, StatusCode::capacity);
+  ASSERT_TRUE(simulation->use_engine("stream").ok());
+  EXPECT_TRUE(simulation->use_bodies(11).ok());
+}
+
+bool encloses(const Aabb& outer, const Aabb& inner) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (outer.min[axis] > inner.min[axis] || outer.max[axis] < inner.max[axis]) return false;
+  }
+  return true;
+}
+
+TEST(Simulation, ShowsAFatBoxAroundEachBodyOfStreamAndNoneOfOtherEngines) {
+  const auto simulation = made(scene(60));
+  step(*simulation, 5);
+  const auto view = simulation->stream_view();
+  ASSERT_TRUE(view.has_value());
+  ASSERT_THAT(view->fat_boxes, SizeIs(60));
+  EXPECT_FALSE(view->cells.empty());
+  for (const Aabb& box : simulation->source().boxes()) {
+    EXPECT_TRUE(std::any_of(view->fat_boxes.begin(), view->fat_boxes.end(),
+                            [&](const Aabb& fat) { return encloses(fat, box); }));
+  }
+  ASSERT_TRUE(simulation->use_engine("control").ok());
+  EXPECT_FALSE(simulation->stream_view().has_value());
+}
+
+TEST(LineBoxes, AreThosePartsOfStreamThatAreAskedForNearTheWorld) {
+  const auto simulation = made(scene(60));
+  const std::size_t fat = simulation->stream_view()->fat_boxes.size();
+  const std::size_t cells = simulation->stream_view()->cells.size();
+  EXPECT_THAT(line_boxes(*simulation, {}), SizeIs(0));
+  EXPECT_THAT(line_boxes(*simulation, {.fat_boxes = true, .cells = false}), SizeIs(fat));
+  const std::vector<LineBox> all = line_boxes(*simulation, {.fat_boxes = true, .cells = true});
+  ASSERT_THAT(all, SizeIs(fat + cells));
+  const Aabb& world = simulation->bounds();
+  for (const LineBox& line : all) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float edge = world.max[axis] - world.min[axis];
+      EXPECT_GE(line.min[axis], world.min[axis] - edge);
+      EXPECT_LE(line.max[axis], world.max[axis] + edge);
+    }
+  }
+  ASSERT_TRUE(simulation->use_engine("control").ok());
+  EXPECT_THAT(line_boxes(*simulation, {.fat_boxes = true, .cells = true}), SizeIs(0));
+}
+
 TEST(Simulation, KnowsTheLocalStoreOfEnginesThatHaveOne) {
   const auto simulation = made(scene(100));
   for (const EngineInfo& info : engine_table()) {
@@ -184,7 +248,7 @@ TEST(Simulation, KnowsTheLocalStoreOfEnginesThatHaveOne) {
     if (!simulation->local_store()) continue;
     EXPECT_EQ(simulation->local_store()->bodies, 100U);
     EXPECT_EQ(simulation->local_store()->spus, 3U);
-    EXPECT_GT(simulation->local_store()->used(), 0U);
+    EXPECT_GT(report::used_bytes(*simulation->local_store()), 0U);
   }
 }
 

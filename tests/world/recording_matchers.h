@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
 
 namespace cellsweep {
 

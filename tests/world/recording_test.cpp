@@ -1,4 +1,4 @@
-#include "cellsweep/recording.h"
+#include "cellsweep/world/recording.h"
 
 #include <sys/resource.h>
 

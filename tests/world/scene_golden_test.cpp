@@ -3,7 +3,7 @@
 #include <ostream>
 #include <string>
 
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "scene_probe.h"
 
 namespace cellsweep {

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "scene_probe.h"
 
 namespace cellsweep {

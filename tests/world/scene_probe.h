@@ -10,7 +10,7 @@
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/pair.h"
-#include "cellsweep/world.h"
+#include "cellsweep/world/world.h"
 
 namespace cellsweep::test {
 

@@ -1,4 +1,4 @@
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

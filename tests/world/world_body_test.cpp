@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "cellsweep/world.h"
+#include "cellsweep/world/world.h"
 #include "world/random.h"
 
 namespace cellsweep {

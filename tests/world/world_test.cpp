@@ -1,4 +1,4 @@
-#include "cellsweep/world.h"
+#include "cellsweep/world/world.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "bench/peers/chart/ratios.h"
 #include "bench/peers/peer_mode.h"
-#include "broadphase/text.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -83,6 +83,7 @@ std::string points_of(const PeerResults& results, std::size_t scene, std::size_t
 
 constexpr std::string_view kStyle =
     "set encoding utf8\n"
+    "set micro\n"
     "set logscale xy\n"
     "set format y '%.0s %cs'\n"
     "set xrange [700:*]\n"

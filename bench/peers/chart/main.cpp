@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/peers/chart/chart_script.h"
+#include "bench/peers/chart/pages.h"
 #include "bench/peers/chart/tables.h"
 #include "bench/peers/peer_mode.h"
 #include "report/gnuplot.h"
@@ -18,15 +19,17 @@ using namespace cellsweep;
 using namespace cellsweep::bench;
 
 constexpr std::string_view kUsage =
-    "usage: peers-chart [--readme] [FILE.json...]\n"
+    "usage: peers-chart [--docs] [FILE.json...]\n"
     "Reads what ./run bench peers measured (out/peers/peers.json, unless files are named) and writes into\n"
     "out/peers a chart for each scene (SCENE.png), tables (tables.md) and all times (times.csv).\n"
-    "  --readme   also puts the summary into README.md, and the chart of scene uniform into bench/figures\n";
+    "  --docs   also puts the summary into docs/peers.md, its sentence into README.md, and the chart of "
+    "scene\n"
+    "           uniform into bench/figures\n";
 
 struct Settings {
   std::filesystem::path out = "out/peers";
   std::vector<std::string> files;
-  bool readme = false;
+  bool docs = false;
 };
 
 Status read_all(const Settings& settings, PeerResults& results) {
@@ -59,17 +62,6 @@ Status write_tables(const Settings& settings, const PeerResults& results) {
   return report::write_text_file(settings.out / "times.csv", times_csv(results));
 }
 
-Status update_readme(const Settings& settings, const PeerResults& results) {
-  Result<std::string> readme = report::read_text_file("README.md");
-  if (!readme) return readme.status();
-  readme = replace_between_marks(*readme, "peers", summary_markdown(results));
-  if (!readme) return readme.status();
-  const Result<std::string> chart = report::read_text_file(settings.out / "uniform.png");
-  if (!chart) return chart.status();
-  if (Status status = report::write_text_file("bench/figures/peers.png", *chart); !status.ok()) return status;
-  return report::write_text_file("README.md", *readme);
-}
-
 Status run(const Settings& settings) {
   PeerResults results;
   if (Status status = report::find_gnuplot(); !status.ok()) return status;
@@ -77,7 +69,7 @@ Status run(const Settings& settings) {
   if (Status status = report::make_folder(settings.out); !status.ok()) return status;
   if (Status status = write_tables(settings, results); !status.ok()) return status;
   if (Status status = draw_all(settings, results); !status.ok()) return status;
-  return settings.readme ? update_readme(settings, results) : Status{};
+  return settings.docs ? update_pages(".", results, settings.out / "uniform.png") : Status{};
 }
 
 }  // namespace
@@ -86,8 +78,8 @@ int main(int argc, char** argv) {
   Settings settings;
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];
-    if (argument == "--readme") {
-      settings.readme = true;
+    if (argument == "--docs") {
+      settings.docs = true;
     } else if (argument.starts_with("-")) {
       std::fputs(kUsage.data(), argument == "--help" ? stdout : stderr);
       return argument == "--help" ? 0 : 2;

@@ -118,7 +118,7 @@ class Reader {
 }  // namespace
 
 Status add_results(std::string_view text_of_file, PeerResults& results) {
-  const Status refused{StatusCode::bad_input, "This is no JSON that Google Benchmark wrote.", {}, 0, 0, {}};
+  const Status refused = Status::bad_input("This is no JSON that Google Benchmark wrote.");
   const json file = json::parse(without_nan(text_of_file), nullptr, false);
   if (file.is_discarded() || !file.is_object() || !file.contains("benchmarks")) return refused;
   try {

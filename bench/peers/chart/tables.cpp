@@ -6,9 +6,10 @@
 #include <map>
 #include <utility>
 
+#include "base/text.h"
 #include "bench/peers/chart/ratios.h"
 #include "bench/peers/peer_mode.h"
-#include "broadphase/text.h"
+#include "report/units.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -21,31 +22,12 @@ std::string short_number(double number) {
   return digits.data();
 }
 
-// Three digits with a unit.
-std::string time_text(double seconds) {
-  const std::array<std::pair<double, const char*>, 3> units = {{{1e-6, "µs"}, {1e-3, "ms"}, {1, "s"}}};
-  auto unit = units[0];
-  for (const auto& candidate : units) {
-    if (seconds >= candidate.first) unit = candidate;
-  }
-  const double value = seconds / unit.first;
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(),
-                value < 1     ? "%.3f"
-                : value < 10  ? "%.2f"
-                : value < 100 ? "%.1f"
-                              : "%.0f",
-                value);
-  return text(digits.data(), " ", unit.second);
+std::string time_of(double seconds) {
+  return report::time_text(1e6 * seconds);
 }
 
-// 1000000 as 1,000,000.
-std::string count_text(double count) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.0f", count);
-  std::string digits = buffer.data();
-  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, ",");
-  return digits;
+std::string count_of(double count) {
+  return report::count_text(static_cast<std::size_t>(count));
 }
 
 std::string summary_cell(const std::vector<CellRatio>& ratios) {
@@ -54,6 +36,11 @@ std::string summary_cell(const std::vector<CellRatio>& ratios) {
   const CellRatio& smallest = summary->smallest;
   return text("**", short_number(summary->mean), "**; ", short_number(smallest.ratio()), " (",
               kPeerScenes[smallest.cell.scene], ", `", smallest.best, "`)");
+}
+
+std::size_t twice_as_long(const std::vector<CellRatio>& ratios) {
+  return static_cast<std::size_t>(
+      std::count_if(ratios.begin(), ratios.end(), [](const CellRatio& ratio) { return ratio.ratio() >= 2; }));
 }
 
 std::string inexact_lines(const PeerResults& results) {
@@ -67,7 +54,7 @@ std::string inexact_lines(const PeerResults& results) {
   }
   std::string lines;
   for (const auto& [peer, sum] : wrong) {
-    lines += text("\n`", peer, "` was off by ", count_text(sum.first), " pairs in ", sum.second,
+    lines += text("\n`", peer, "` was off by ", count_of(sum.first), " pairs in ", sum.second,
                   " cells, in which it does not count.\n");
   }
   return lines;
@@ -87,19 +74,26 @@ std::string summary_markdown(const PeerResults& results) {
   }
   table += "\n" + rule + "\n";
   for (auto& [bodies, by_mode] : by_bodies) {
-    table += text("| ", count_text(static_cast<double>(bodies)), " |");
+    table += text("| ", report::count_text(bodies), " |");
     for (std::size_t mode = 0; mode < kPeerModes.size(); ++mode) {
       table += text(" ", summary_cell(by_mode[mode]), " |");
     }
     table += "\n";
   }
   if (const auto summary = summarise(all)) {
-    std::size_t twice = 0;
-    for (const CellRatio& ratio : all) twice += ratio.ratio() >= 2 ? 1 : 0;
     table += text("\nGeometric mean of all ", all.size(), " cells: ", short_number(summary->mean), "; ",
-                  twice, " of them are 2 or more.\n");
+                  twice_as_long(all), " of them are 2 or more.\n");
   }
   return table + inexact_lines(results);
+}
+
+std::string headline_markdown(const PeerResults& results) {
+  const std::vector<CellRatio> all = ratios_of(results);
+  const auto summary = summarise(all);
+  if (!summary) return "";
+  return text("In ", all.size(), " measured cases the fastest of the others took ",
+              short_number(summary->mean), " times as long as `stream` (geometric mean);\nin ",
+              twice_as_long(all), " of them it took at least twice as long.\n");
 }
 
 std::string cells_markdown(const PeerResults& results) {
@@ -107,11 +101,11 @@ std::string cells_markdown(const PeerResults& results) {
       "| scene | bodies | mode | pairs | `stream` | best other | its time | ratio | `stream` / memory |\n"
       "|---|--:|---|--:|--:|---|--:|--:|--:|\n";
   for (const CellRatio& ratio : ratios_of(results)) {
-    table += text(
-        "| ", kPeerScenes[ratio.cell.scene], " | ", count_text(static_cast<double>(ratio.cell.bodies)), " | ",
-        kPeerModes[ratio.cell.mode].title, " | ", count_text(ratio.pairs), " | ", time_text(ratio.stream),
-        " | `", ratio.best, "` | ", time_text(ratio.best_seconds), " | ", short_number(ratio.ratio()), " | ",
-        ratio.memory > 0 ? short_number(ratio.over_memory()) : std::string(), " |\n");
+    table +=
+        text("| ", kPeerScenes[ratio.cell.scene], " | ", report::count_text(ratio.cell.bodies), " | ",
+             kPeerModes[ratio.cell.mode].title, " | ", count_of(ratio.pairs), " | ", time_of(ratio.stream),
+             " | `", ratio.best, "` | ", time_of(ratio.best_seconds), " | ", short_number(ratio.ratio()),
+             " | ", ratio.memory > 0 ? short_number(ratio.over_memory()) : std::string(), " |\n");
   }
   return table;
 }
@@ -122,9 +116,9 @@ std::string tails_markdown(const PeerResults& results) {
   std::sort(tails.begin(), tails.end(), [](const Tail& a, const Tail& b) { return a.cell < b.cell; });
   std::string table = "| 10 % move | median | 99th percentile / median | frames |\n|---|--:|--:|--:|\n";
   for (const Tail& tail : tails) {
-    table += text("| ", kPeerScenes[tail.cell.scene], ", ", count_text(static_cast<double>(tail.cell.bodies)),
-                  " | ", time_text(tail.median_seconds), " | ", short_number(tail.p99_over_median), " | ",
-                  count_text(tail.frames), " |\n");
+    table += text("| ", kPeerScenes[tail.cell.scene], ", ", report::count_text(tail.cell.bodies), " | ",
+                  time_of(tail.median_seconds), " | ", short_number(tail.p99_over_median), " | ",
+                  count_of(tail.frames), " |\n");
   }
   return table;
 }
@@ -150,7 +144,7 @@ Result<std::string> replace_between_marks(std::string text_in, const std::string
   const std::size_t start = text_in.find(begin);
   const std::size_t end = text_in.find("<!-- " + name + ": end -->");
   if (start == std::string::npos || end == std::string::npos || end < start) {
-    return Status{StatusCode::bad_input, "There is no place for '" + name + "'.", {}, 0, 0, {}};
+    return Status::bad_input("There is no place for '" + name + "'.");
   }
   const std::size_t from = start + begin.size();
   return text_in.replace(from, end - from, content);

@@ -13,6 +13,9 @@ namespace cellsweep::bench {
 /// and one for each peer that was not exact.
 std::string summary_markdown(const PeerResults& results);
 
+/// The sentence that the summary comes down to, in two lines; empty when nothing can be compared.
+std::string headline_markdown(const PeerResults& results);
+
 /// A row for each cell: `stream`, the best of the others, their ratio, `stream` over the limit of memory.
 std::string cells_markdown(const PeerResults& results);
 

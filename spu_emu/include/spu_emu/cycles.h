@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace spu_emu {
 
 /// Every number of the model; cycles are the SPU's. What each means and where it comes from is in
@@ -128,5 +129,6 @@ struct CycleProfile {
 CycleProfile cycle_profile(spe_context_ptr_t spe);
 
 }  // namespace spu_emu
+#pragma GCC visibility pop
 
 #endif

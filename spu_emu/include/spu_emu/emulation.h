@@ -13,6 +13,7 @@
 #include "spu_emu/cycles.h"
 #include "spu_emu/dma_mode.h"
 
+#pragma GCC visibility push(default)
 namespace spu_emu {
 
 /// Which library calls (stop codes 0x2100-0x2105) of a program for the instruction-level engine are served,
@@ -115,5 +116,6 @@ void write_trace(std::ostream& out);
 void write_trace_events(std::ostream& out, std::chrono::steady_clock::time_point origin);
 
 }  // namespace spu_emu
+#pragma GCC visibility pop
 
 #endif

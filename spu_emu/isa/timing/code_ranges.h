@@ -1,10 +1,11 @@
-// Which parts of a program belong to which function, by its symbols.
+/// @file
+/// Which parts of a program belong to which function, by its symbols.
 #ifndef SPU_EMU_ISA_TIMING_CODE_RANGES_H
 #define SPU_EMU_ISA_TIMING_CODE_RANGES_H
 
 #include <vector>
 
-#include "isa/elf_loader.h"
+#include "isa/elf/elf_loader.h"
 #include "isa/timing/cycle_model.h"
 
 namespace spu_emu::isa {

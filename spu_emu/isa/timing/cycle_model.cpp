@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "isa/decoder.h"
-#include "isa/state.h"
+#include "isa/core/state.h"
+#include "isa/encoding/instruction_word.h"
 #include "spu_emu/channel_numbers.h"
 
 namespace spu_emu::isa {

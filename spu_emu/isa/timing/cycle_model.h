@@ -1,4 +1,5 @@
-// The clock of an SPU: when each executed instruction would issue on a Cell.
+/// @file
+/// The clock of an SPU: when each executed instruction would issue on a Cell.
 #ifndef SPU_EMU_ISA_TIMING_CYCLE_MODEL_H
 #define SPU_EMU_ISA_TIMING_CYCLE_MODEL_H
 
@@ -9,13 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "isa/core/instruction_observer.h"
 #include "isa/timing/mfc_clock.h"
 #include "isa/timing/timed_instruction.h"
 #include "spu_emu/cycles.h"
 
 namespace spu_emu::isa {
-
-struct State;
 
 /// A piece of the program's code with a name.
 struct CodeRange {
@@ -30,7 +30,7 @@ struct CodeRange {
 ///
 /// What the program waits for from outside the SPE (mailboxes, signals, events) takes no cycles: this clock
 /// is the SPU's work and its DMA, not the wall.
-class CycleModel {
+class CycleModel final : public InstructionObserver {
  public:
   /// `local_store` of 256 KB, in the SPU's byte order, outlives the model.
   CycleModel(const CycleParameters& parameters, const std::byte* local_store);
@@ -41,15 +41,13 @@ class CycleModel {
   /// the program runs.
   void set_code(std::vector<CodeRange> code);
 
-  /// The program begins anew: nothing is in flight, no hint is known. What is counted stays.
-  void restart();
+  /// Nothing is in flight, no hint is known. What is counted stays.
+  void restart() override;
 
-  /// The instruction at `pc` is about to be executed with `state`, after the one of the call before.
-  void begin(std::uint32_t pc, const State& state);
-  /// The run ends after the instruction begun last, and goes on at `next_pc` some time.
-  void end(std::uint32_t next_pc, const State& state);
-  /// The instruction begun last broke a rule or encodes none: it does not count.
-  void cancel();
+  void begin(std::uint32_t pc, const State& state) override;
+  void end(std::uint32_t next_pc, const State& state) override;
+  /// The instruction begun last does not count.
+  void cancel() override;
 
   /// As of the last end, cancel, or write to an outbound mailbox. Any thread.
   CycleProfile profile() const;

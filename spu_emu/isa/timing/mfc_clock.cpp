@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "isa/decoder.h"
-#include "isa/state.h"
+#include "isa/encoding/instruction_word.h"
 #include "mfc/spe_directory.h"
 #include "spu_emu/channel_numbers.h"
 #include "spu_emu/dma_mode.h"

@@ -1,4 +1,5 @@
-// When DMA commands would be done on a Cell: the MFC of one SPE, in cycles of its SPU.
+/// @file
+/// When DMA commands would be done on a Cell: the MFC of one SPE, in cycles of its SPU.
 #ifndef SPU_EMU_ISA_TIMING_MFC_CLOCK_H
 #define SPU_EMU_ISA_TIMING_MFC_CLOCK_H
 

@@ -4,8 +4,8 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "isa/decoder.h"
-#include "isa/opcodes.h"
+#include "isa/encoding/instruction_word.h"
+#include "isa/encoding/opcodes.h"
 
 namespace spu_emu::isa {
 

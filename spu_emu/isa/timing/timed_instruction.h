@@ -1,4 +1,5 @@
-// What the cycle model needs to know of one instruction word.
+/// @file
+/// What the cycle model needs to know of one instruction word.
 #ifndef SPU_EMU_ISA_TIMING_TIMED_INSTRUCTION_H
 #define SPU_EMU_ISA_TIMING_TIMED_INSTRUCTION_H
 

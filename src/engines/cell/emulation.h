@@ -1,6 +1,6 @@
 /// @file
-/// What the SDK has no name for: how SPEs are emulated and what they did. The engine table injects it, so
-/// that the host side knows libspe2 only.
+/// What the SDK has no name for: how SPEs are emulated and what they did. Those who make engines inject it,
+/// so that the host side knows libspe2 only.
 #pragma once
 
 #include <libspe2.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cellsweep/engines.h"
+#include "cellsweep/cell.h"
 
 namespace cellsweep::cell {
 
@@ -64,17 +64,18 @@ class Emulation {
 
   virtual SpeCounts counts(spe_context_ptr_t spe) const = 0;
 
-  /// As of the program's last end or message; empty unless EngineOptions::cycles.
+  /// As of the program's last end or message; empty unless SpeOptions::cycles.
   virtual SpeCycles cycles(spe_context_ptr_t spe) const = 0;
 
   /// The rule that the context's last failing call broke, in words; empty when there was none.
   virtual std::string fault(spe_context_ptr_t spe) const = 0;
 };
 
-/// SPEs as the options say: those of spu_emu, or a Cell's own in a build for these. Errors: bad_option for a
-/// local store that is no multiple of 128 or too small for code and stack, for a trace file that cannot be
-/// written, for SpeEngine::isa without SPU programs or with more than 256 KB, for cycles without
-/// SpeEngine::isa or with numbers that cannot be, and for what a Cell's own SPEs cannot do.
-Result<std::shared_ptr<Emulation>> make_emulation(const EngineOptions& options);
+/// SPEs as the options say: those of spu_emu, or a Cell's own in a build for these. Their transfers and waits
+/// go to the timeline of the file `trace`; empty: to none. Errors: bad_option for a local store that is no
+/// multiple of 128 or too small for code and stack, for a trace file that cannot be written, for
+/// SpeEngine::isa without SPU programs or with more than 256 KB, for cycles without SpeEngine::isa or with
+/// numbers that cannot be, and for what a Cell's own SPEs cannot do.
+Result<std::shared_ptr<Emulation>> make_emulation(const SpeOptions& options, const std::string& trace = {});
 
 }  // namespace cellsweep::cell

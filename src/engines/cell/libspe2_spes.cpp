@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "engines/cell/emulation.h"
 
 namespace cellsweep::cell {
@@ -27,7 +27,7 @@ class HardwareSpes final : public Emulation {
 };
 
 Status refusal(const char* option, const char* why) {
-  return {StatusCode::bad_option, text(option, ": ", why), std::nullopt, 0, 0, option};
+  return Status::bad_option(option, text(option, ": ", why));
 }
 
 }  // namespace
@@ -42,15 +42,15 @@ SpeCounts& SpeCounts::operator+=(const SpeCounts& more) {
   return *this;
 }
 
-Result<std::shared_ptr<Emulation>> make_emulation(const EngineOptions& options) {
+Result<std::shared_ptr<Emulation>> make_emulation(const SpeOptions& options, const std::string& trace) {
   if (options.spe_engine != SpeEngine::host)
     return refusal("spe_engine", "this machine has SPEs of its own.");
   if (options.dma != DmaMode::eager)
     return refusal("dma", "the SPEs of this machine decide when bytes move.");
-  if (options.local_store_bytes != kLocalStore)
-    return refusal("local_store_bytes", "the SPEs of this machine have 256 KB.");
+  if (options.local_store != kLocalStore)
+    return refusal("local_store", "the SPEs of this machine have 256 KB.");
   if (options.cycles) return refusal("cycles", "this machine is a Cell: its clock tells.");
-  if (!options.trace_file.empty()) return refusal("trace_file", "the SPEs of this machine keep no timeline.");
+  if (!trace.empty()) return refusal("trace", "the SPEs of this machine keep no timeline.");
   return std::shared_ptr<Emulation>(std::make_shared<HardwareSpes>());
 }
 

@@ -8,6 +8,7 @@
 namespace cellsweep::cell {
 
 /// Slots of bodies and places in a sorted axis are below this, so that two slots and a mark fit into a word.
+/// A slot is here what the host's PlacedEngine calls a place.
 inline constexpr std::uint32_t kResidentSlots = 32767;
 inline constexpr std::uint32_t kResidentSlotBits = 15;
 

@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
-#include "broadphase/text.h"
+#include "base/text.h"
+#include "cellsweep/engine/timeline.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/spu_elf.h"
-#include "engines/timeline.h"
 
 namespace cellsweep::cell {
 namespace {
@@ -40,9 +40,9 @@ spu_emu::DmaMode mode_of(DmaMode mode) {
 
 class SpuEmuEmulation final : public Emulation {
  public:
-  SpuEmuEmulation(const EngineOptions& options, std::optional<spu_emu::CycleParameters> cycles,
+  SpuEmuEmulation(const SpeOptions& options, std::optional<spu_emu::CycleParameters> cycles,
                   std::shared_ptr<Timeline> timeline)
-      : limit_(options.local_store_bytes),
+      : limit_(options.local_store),
         isa_(options.spe_engine == SpeEngine::isa),
         timeline_(std::move(timeline)) {
     settings_.dma_mode = mode_of(options.dma);
@@ -93,58 +93,50 @@ class SpuEmuEmulation final : public Emulation {
   std::shared_ptr<Timeline> timeline_;  // written after the last context is gone
 };
 
-Status check_local_store(const EngineOptions& options) {
+Status check_local_store(const SpeOptions& options) {
   const spu_emu::EmulationSettings defaults;
-  const std::uint64_t bytes = options.local_store_bytes;
+  const std::uint64_t bytes = options.local_store;
   const std::uint64_t least = defaults.code_reserve + kDataBytes + defaults.stack_reserve;
   if (bytes == 0 || (bytes >= least && bytes <= kLargestLocalStore && bytes % kLine == 0)) return {};
-  return {StatusCode::bad_option,
-          text("local_store_bytes is ", bytes, "; it must be a multiple of ", kLine, " from ", least,
-               " (code, data and stack) to ", kLargestLocalStore, ", or 0 for no limit."),
-          std::nullopt,
-          bytes,
-          least,
-          "local_store_bytes"};
+  return Status::bad_option(
+      "local_store",
+      text("local_store is ", bytes, "; it must be a multiple of ", kLine, " from ", least,
+           " (code, data and stack) to ", kLargestLocalStore, ", or 0 for no limit."),
+      bytes, least);
 }
 
-Status check_isa(const EngineOptions& options) {
+Status check_isa(const SpeOptions& options) {
   if (options.spe_engine != SpeEngine::isa && !has_only_spu_elf()) return {};
   if (!has_spu_elf()) {
-    return {StatusCode::bad_option,
-            "spe_engine isa: this build has no programs for a real SPU. Build the SPU compiler with "
-            "spu_emu/toolchain/build, then configure again.",
-            std::nullopt,
-            0,
-            0,
-            "spe_engine"};
+    return Status::bad_option("spe_engine",
+                              "spe_engine isa: this build has no programs for a real SPU. Build the SPU "
+                              "compiler with spu_emu/toolchain/build, then configure again.");
   }
-  const std::uint64_t bytes = options.local_store_bytes;
+  const std::uint64_t bytes = options.local_store;
   if (bytes != 0 && bytes <= kRealLocalStore) return {};
-  return {StatusCode::bad_option,
-          text("local_store_bytes is ", bytes, bytes == 0 ? " (no limit)" : "", "; a real SPU has ",
-               kRealLocalStore, ", and its programs (spe_engine isa) get no more."),
-          std::nullopt,
-          bytes,
-          kRealLocalStore,
-          "local_store_bytes"};
+  return Status::bad_option(
+      "local_store",
+      text("local_store is ", bytes, bytes == 0 ? " (no limit)" : "", "; a real SPU has ", kRealLocalStore,
+           ", and its programs (spe_engine isa) get no more."),
+      bytes, kRealLocalStore);
 }
 
-Status cycles_refused(std::string why) {
-  return {StatusCode::bad_option, text("cycles: ", why, "."), std::nullopt, 0, 0, "cycles"};
+Status refusal(const char* setting, const std::string& why) {
+  return Status::bad_option(setting, text(setting, ": ", why, "."));
 }
 
 /// The cycle model's numbers, if it is wanted.
-Result<std::optional<spu_emu::CycleParameters>> find_cycle_parameters(const EngineOptions& options) {
+Result<std::optional<spu_emu::CycleParameters>> find_cycle_parameters(const SpeOptions& options) {
   if (!options.cycles) return std::optional<spu_emu::CycleParameters>();
   if (options.spe_engine != SpeEngine::isa) {
-    return cycles_refused("only real SPU code has them; ask for spe_engine isa, too");
+    return refusal("cycles", "only real SPU code has them; ask for spe_engine isa, too");
   }
   spu_emu::CycleParameters parameters;
   parameters.sharing_spes = kSharingAsUsed;
   try {
-    for (const std::string& each : options.cycle_parameters) spu_emu::set_cycle_parameter(parameters, each);
+    for (const std::string& each : options.cycle_parameter) spu_emu::set_cycle_parameter(parameters, each);
   } catch (const std::invalid_argument& error) {
-    return cycles_refused(error.what());
+    return refusal("cycle_parameter", error.what());
   }
   return std::optional(parameters);
 }
@@ -162,14 +154,14 @@ SpeCounts& SpeCounts::operator+=(const SpeCounts& more) {
   return *this;
 }
 
-Result<std::shared_ptr<Emulation>> make_emulation(const EngineOptions& options) {
+Result<std::shared_ptr<Emulation>> make_emulation(const SpeOptions& options, const std::string& trace) {
   if (Status status = check_local_store(options); !status.ok()) return status;
   if (Status status = check_isa(options); !status.ok()) return status;
   auto cycles = find_cycle_parameters(options);
   if (!cycles) return cycles.status();
   std::shared_ptr<Timeline> timeline;
-  if (!options.trace_file.empty()) {
-    auto opened = Timeline::open(options.trace_file);
+  if (!trace.empty()) {
+    auto opened = Timeline::open(trace);
     if (!opened) return opened.status();
     timeline = std::move(*opened);
     timeline->show_spes(&spu_emu::write_trace_events);

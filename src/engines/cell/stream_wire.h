@@ -30,7 +30,7 @@ inline constexpr std::uint32_t kStreamPieces = 128;
 /// Pairs that leave an SPU at a time: two words each.
 inline constexpr std::uint32_t kStreamPairs = 1024;
 /// The words of a pair that is none: it fills a transfer up.
-inline constexpr std::uint32_t kNoSlot = 0xffffffff;
+inline constexpr std::uint32_t kNoStreamPair = 0xffffffff;
 
 /// Of a tag: a body's slot, and above that a bit for each axis on which its minimum lies in the cell. A cell
 /// owns a pair when together they have all three.

@@ -9,7 +9,8 @@
 #include <string>
 #include <thread>
 
-#include "engines/embree/hand_over.h"
+#include "base/inside_embree.h"
+#include "cellsweep/engine/engine.h"
 
 namespace cellsweep::embree {
 namespace {
@@ -48,17 +49,11 @@ void be_hidden_from_no_ray(const RTCOccludedFunctionNArguments*) {}
 /// What the threads that share it have found.
 struct alignas(64) Collider::Bin {
   std::mutex mutex;
-  std::vector<SlotPair> pairs;
+  std::vector<std::uint64_t> pairs;
   std::uint64_t candidates = 0;
 };
 
-const Aabb& no_box() {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  static const Aabb box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-  return box;
-}
-
-Collider::Collider(unsigned threads) : bins_(kBins) {
+Collider::Collider(unsigned threads) : bins_(kBins), found_(kBins) {
   const InsideEmbree inside(this);
   device_.reset(rtcNewDevice(("threads=" + std::to_string(threads)).c_str()));
   if (!device_) throw std::bad_alloc();
@@ -92,7 +87,7 @@ void Collider::tell_bounds(const RTCBoundsFunctionArguments* arguments) {
   const CalledByEmbree called(collider);
   const Aabb& box = collider->boxes_[arguments->primID];
   RTCBounds& bounds = *arguments->bounds_o;
-  if (box.min[0] > box.max[0]) {
+  if (!(box.min[0] <= box.max[0])) {
     bounds = {1, 1, 1, 0, -1, -1, -1, 0};
     return;
   }
@@ -115,9 +110,7 @@ void Collider::keep_overlapping(std::span<const RTCCollision> candidates, Bin& b
   bin.candidates += candidates.size();
   for (const RTCCollision& candidate : candidates) {
     const SlotPair pair{candidate.primID0, candidate.primID1};
-    if (pair.first < pair.second && overlap(boxes_[pair.first], boxes_[pair.second])) {
-      bin.pairs.push_back(pair);
-    }
+    if (pair.a < pair.b && overlap(boxes_[pair.a], boxes_[pair.b])) bin.pairs.push_back(pair_key(pair));
   }
 }
 
@@ -127,7 +120,7 @@ void Collider::take_candidates(void* collider, RTCCollision* candidates, unsigne
   self->keep_overlapping({candidates, count}, self->bins_[bin_of_this_thread()]);
 }
 
-void Collider::find_pairs(std::vector<SlotPair>& pairs) {
+std::span<const std::span<const std::uint64_t>> Collider::find_pairs() {
   for (Bin& bin : bins_) {
     bin.pairs.clear();
     bin.candidates = 0;
@@ -137,11 +130,17 @@ void Collider::find_pairs(std::vector<SlotPair>& pairs) {
     rtcCollide(scene_.get(), scene_.get(), take_candidates, this);
     throw_if_out_of_memory();
   }
-  pairs.clear();
-  for (Bin& bin : bins_) {
-    pairs.insert(pairs.end(), bin.pairs.begin(), bin.pairs.end());
-    candidates_ += bin.candidates;
+  for (std::size_t i = 0; i < kBins; ++i) {
+    found_[i] = bins_[i].pairs;
+    candidates_ += bins_[i].candidates;
   }
+  return found_;
+}
+
+std::size_t Collider::bytes() const {
+  std::size_t sum = kBins * sizeof(Bin);
+  for (const Bin& bin : bins_) sum += bin.pairs.capacity() * sizeof(std::uint64_t);
+  return sum;
 }
 
 }  // namespace cellsweep::embree

@@ -10,19 +10,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "broadphase/body_table.h"
 #include "cellsweep/aabb.h"
 
 namespace cellsweep::embree {
-
-/// Two slots, `first < second`.
-struct SlotPair {
-  Slot first = 0;
-  Slot second = 0;
-};
-
-/// The value of a slot without a body: a box that Embree leaves out of its tree, and that overlaps nothing.
-const Aabb& no_box();
 
 /// A tree over boxes, built anew by each find_pairs(). One thread at a time; inside, Embree uses its own.
 class Collider {
@@ -34,16 +24,20 @@ class Collider {
   Collider(const Collider&) = delete;
   Collider& operator=(const Collider&) = delete;
 
-  /// Builds the tree over boxes that are canonical and valid, or no_box(). Throws std::bad_alloc.
+  /// Builds the tree over boxes by slot that are canonical and valid, or kNobody: these Embree leaves out.
+  /// Throws std::bad_alloc.
   void build(std::span<const Aabb> boxes);
 
-  /// Every overlapping pair of the boxes that build() was given, which must still be there: exactly those,
-  /// each once, in any order. Throws std::bad_alloc.
-  void find_pairs(std::vector<SlotPair>& pairs);
+  /// The pair_key() of every overlapping pair of the boxes that build() was given, which must still be there:
+  /// exactly those, each once, in any order. Valid until the next call. Throws std::bad_alloc.
+  std::span<const std::span<const std::uint64_t>> find_pairs();
 
   /// Pairs that Embree has named, over the life of the object: twice each one that overlaps, and the near
   /// misses.
   std::uint64_t candidates() const { return candidates_; }
+
+  /// Memory held, without Embree's.
+  std::size_t bytes() const;
 
  private:
   struct Bin;
@@ -66,6 +60,7 @@ class Collider {
   Geometry geometry_;
   std::span<const Aabb> boxes_;
   std::vector<Bin> bins_;
+  std::vector<std::span<const std::uint64_t>> found_;  // by bin
   std::uint64_t candidates_ = 0;
 };
 

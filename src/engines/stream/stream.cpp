@@ -1,49 +1,27 @@
 #include "engines/stream/stream.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <chrono>
-#include <thread>
 #include <utility>
 
-#include "broadphase/text.h"
-#include "engines/phase_timer.h"
+#include "base/text.h"
+#include "base/tuning.h"
+#include "engines/stream/cells/cell_bounds.h"
 
 namespace cellsweep::stream {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+constexpr std::size_t kAnyNumber = ~std::size_t{0};
 
-/// More threads than this were never measured.
-constexpr unsigned kMostWorkers = 16;
-
-// First guesses, in seconds; every update measures.
-constexpr double kFullGuess = 50e-9;
-constexpr double kPartialGuess = 200e-9;
-constexpr double kMoveGuess = 4e-9;
-constexpr double kTestGuess = 4e-9;
-/// The share of changed bodies at which everything is found anew lies between these, whatever was measured.
-constexpr double kLeastShare = 0.1;
-constexpr double kMostShare = 0.5;
-/// Work worth less than this on one thread is not worth asking what a dispatch takes.
-constexpr double kTooSmall = 100e-6;
-/// What starting threads takes, roughly, until they have done their first job.
-constexpr double kStartCost = 300e-6;
-/// When no more than one in so many bodies got a new box, candidates of two others are not tested.
-constexpr std::size_t kFewFresh = 20;
-/// So many candidates and twice the pairs allowed are always looked at.
-constexpr std::size_t kFewCandidates = 1000;
-/// Not even when asked for does a worker get less to do than this.
-constexpr std::size_t kLeastItems = 16;
-/// A frame has about so many jobs for the pool.
-constexpr double kJobs = 8;
-
-unsigned workers_for(unsigned threads) {
-  if (threads != 0) return threads;
-  return std::clamp(std::thread::hardware_concurrency(), 1U, kMostWorkers);
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+Status too_many_pairs(std::size_t most) {
+  return Status::over_capacity(
+      text("There are more than ", most, " pairs, the most that max_pairs allows; raise it, or set it to 0."),
+      most + 1, most, "max_pairs");
 }
 
 }  // namespace
@@ -53,219 +31,251 @@ void Stream::Cost::learn(double sample) {
   seconds += 0.25 * (std::clamp(sample, seconds / 4, seconds * 2) - seconds);
 }
 
-Stream::Stream(unsigned threads, std::uint64_t max_pairs, const Kernels& kernels,
-               std::unique_ptr<PieceFinder> finder)
-    : threads_are_given_(threads != 0),
-      kernels_(kernels),
-      max_pairs_(max_pairs == 0 ? kAnyNumber : static_cast<std::size_t>(max_pairs)),
-      finder_(std::move(finder)),
-      pool_(workers_for(threads)),
-      tree_(pool_, kernels, finder_.get()),
-      full_cost_{kFullGuess},
-      partial_cost_{kPartialGuess} {
-  refresh_counters();
+Stream::Stream(StreamParts parts)
+    : parts_(std::move(parts)),
+      crew_(*parts_.crew),
+      cells_(crew_, *parts_.kernels, parts_.finder.get()),
+      full_cost_{tuning::kFullGuess},
+      partial_cost_{tuning::kPartialGuess} {
+  if (parts_.max_pairs == 0) parts_.max_pairs = kAnyNumber;
 }
 
 Capacity Stream::capacity() const {
   return {kSlotMask, "", text("a slot's number has ", kSlotBits, " bits")};
 }
 
-Status Stream::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
-  return bodies_.insert(ids, boxes);
-}
-
-Status Stream::move(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
-  choose_workers(ids.size(), kMoveGuess);
-  return bodies_.move(pool_, ids, boxes);
-}
-
-Status Stream::remove(std::span<const BodyId> ids) {
-  return bodies_.remove(ids);
-}
-
-// All workers, when they are asked for or save several times what waking them costs; else the caller alone.
-// Threads are started when they would have saved by now what that costs.
-void Stream::choose_workers(std::size_t items, double seconds_of_item) {
-  if (threads_are_given_) return pool_.use(items / kLeastItems >= pool_.workers() ? pool_.workers() : 1);
-  const double seconds_of_one = static_cast<double>(items) * seconds_of_item;
-  pool_.use(1);
-  if (seconds_of_one < kTooSmall || pool_.workers() == 1) return;
-  const double saved = seconds_of_one * (1 - 1.0 / pool_.workers());
-  missed_ += saved;
-  if (missed_ < kStartCost) return;
-  if (saved > 2 * kJobs * pool_.seconds_to_dispatch()) pool_.use(pool_.workers());
-}
-
-Stream::Kind Stream::kind_of_update() {
-  if (bodies_.is_settled()) return kIdle;
-  if (bodies_.too_many()) return kFull;
-  return bodies_.changes().empty() ? kInPlace : kPartial;
-}
-
-Result<PairChanges> Stream::update() {
-  PhaseTimer timer(statistics_.phases);
-  PairChanges changes;
-  Kind kind = kind_of_update();
-  if (kind != kIdle) {
-    try {
-      changes = update_or_start_anew(kind);
-    } catch (const TooManyPairs&) {
-      bodies_.give_up_listing();
-      return too_many_pairs();
-    } catch (PieceFailure& failure) {
-      bodies_.give_up_listing();
-      return std::move(failure.status);
-    } catch (...) {  // out of memory in the midst of it: the next update starts anew
-      bodies_.give_up_listing();
-      throw;
-    }
-    bodies_.settle();
-    plan_ahead();
+Stream::Kind Stream::take(const BodyChanges& changes) {
+  bodies_ = changes.bodies;
+  crew_.plan(changes.moved.size(), tuning::kMoveGuess);
+  switch (fat_boxes_.take(crew_, changes, most_listed_)) {
+    case FatBoxes::Extent::inside:
+      return kInPlace;
+    case FatBoxes::Extent::listed:
+      return kPartial;
+    default:
+      return kFull;
   }
-  ++updates_[kind];
-  ++statistics_.updates;
-  timer.lap("find pairs");
-  if (kind != kIdle) refresh_counters();
-  statistics_.counters[kind].value = updates_[kind];
-  return changes;
 }
 
-Status Stream::too_many_pairs() const {
-  return {StatusCode::capacity,
-          text("There are more than ", max_pairs_,
-               " pairs, the most that max_pairs allows; raise it, or set it to 0."),
-          std::nullopt,
-          max_pairs_ + 1,
-          max_pairs_,
-          "max_pairs"};
+Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statistics) {
+  if (parts_.finder) parts_.finder->begin_update();
+  if (changes.none()) {
+    note_idle(statistics);
+    return FoundPairs{};
+  }
+  PhaseTimer timer(statistics.phases);
+  Kind kind = take(changes);
+  timer.lap("fat boxes");
+  FoundPairs found;
+  try {
+    found = counted(find(changes, kind, timer));
+  } catch (const TooManyPairs&) {
+    return too_many_pairs(parts_.max_pairs);
+  } catch (PieceFailure& failure) {
+    return std::move(failure.status);
+  }
+  plan_ahead();
+  ++updates_[kind];
+  refresh_counters(statistics);
+  return found;
+}
+
+StreamView Stream::view(std::span<const Aabb> boxes) const {
+  StreamView view;
+  Aabb bounds{{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+  const Aabb* fat = fat_boxes_.data(boxes);
+  for (std::size_t slot = 0; slot < boxes.size(); ++slot) {
+    if (!(fat[slot].min[0] <= fat[slot].max[0])) continue;  // nobody
+    view.fat_boxes.push_back(fat[slot]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      bounds.min[axis] = std::min(bounds.min[axis], fat[slot].min[axis]);
+      bounds.max[axis] = std::max(bounds.max[axis], fat[slot].max[axis]);
+    }
+  }
+  list_cell_bounds(cells_.root(), bounds, view.cells);
+  return view;
+}
+
+void Stream::note_idle(Statistics& statistics) {
+  ++updates_[kIdle];
+  statistics.phases.clear();
+  if (statistics.counters.empty()) return refresh_counters(statistics);
+  statistics.bytes += bytes_;
+  statistics.counters[kIdle].value = updates_[kIdle];
+}
+
+FoundPairs Stream::counted(const FoundPairs& found) {
+  std::size_t began = found.began.size();
+  for (const auto part : found.more_began) began += part.size();
+  pairs_ = pairs_ + began - found.ended.size();
+  if (pairs_ > parts_.max_pairs) throw TooManyPairs();
+  return found;
+}
+
+FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer) {
+  if (bodies_ == 0) return find_none();
+  if (candidates_are_pairs_ && fat_boxes_.have_slack() && kind != kFull) {
+    marks_.start(candidates_.size());
+    candidates_are_pairs_ = false;
+  }
+  if (kind == kInPlace) return test_candidates(changes, {}, timer);
+  const Clock::time_point start = Clock::now();
+  if (kind == kPartial && change_cells()) return find_changed(changes, start, timer);
+  kind = kFull;
+  return find_all(changes, start, timer);
 }
 
 // Too many candidates among the few that changed are no reason to refuse: all of them may have become too
-// many.
-PairChanges Stream::update_or_start_anew(Kind& kind) {
-  if (kind == kPartial) {
+// large. False when everything is to be found anew.
+bool Stream::change_cells() {
+  crew_.plan(fat_boxes_.changes().size(), partial_cost_.seconds);
+  try {
+    cells_.change(fat_boxes_.changes());
+  } catch (const TooManyPairs&) {
+    return false;
+  }
+  return true;
+}
+
+FoundPairs Stream::find_changed(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer) {
+  timer.lap("cells");
+  const auto count = static_cast<double>(fat_boxes_.changes().size());
+  changed_ += fat_boxes_.changes().size();
+  const SlotPairChanges of_candidates = candidates_.change(crew_, cells_.began(), cells_.ended());
+  timer.lap("sort");
+  partial_cost_.learn(seconds_since(start) * crew_.active() / count);
+  if (candidates_are_pairs_) return {.began = of_candidates.began, .ended = of_candidates.ended};
+  return test_candidates(changes, of_candidates, timer);
+}
+
+// With nobody left, everything ends, and the memory goes back.
+FoundPairs Stream::find_none() {
+  list_pairs_before();
+  fat_boxes_ = {};
+  cells_.build({nullptr, 0});
+  candidates_ = {};
+  marks_ = {};
+  now_ = {};
+  began_ = {};
+  ended_ = {};
+  fresh_ = Vector<std::uint8_t>();
+  candidates_are_pairs_ = true;
+  return {.ended = std::as_const(before_).view()};
+}
+
+FoundPairs Stream::find_all(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer) {
+  list_pairs_before();
+  crew_.plan(bodies_, full_cost_.seconds);
+  build_cells(changes);
+  built_copies_ = cells_.copies();
+  changed_ += bodies_;
+  timer.lap("cells");
+  candidates_.replace(cells_.found());
+  candidates_are_pairs_ = !fat_boxes_.have_slack();
+  // The first pairs of all need not be in order here.
+  const bool in_order = !candidates_are_pairs_ || pairs_ > 0;
+  if (in_order) {
+    candidates_.pairs(crew_);
+    timer.lap("sort");
+  }
+  full_cost_.learn(seconds_since(start) * crew_.active() / static_cast<double>(bodies_));
+  if (!in_order) return {.more_began = cells_.found()};
+  return candidates_are_pairs_ ? compare_with_before(candidates_.pairs(crew_)) : test_all(changes, timer);
+}
+
+FoundPairs Stream::test_all(const BodyChanges& changes, PhaseTimer& timer) {
+  const std::span<const SlotPair> candidates = candidates_.pairs(crew_);
+  crew_.plan(candidates.size(), tuning::kTestGuess);
+  marks_.test_all(crew_, candidates, changes.boxes.data());
+  marks_.list_marked(candidates, now_);
+  const FoundPairs found = compare_with_before(std::as_const(now_).view());
+  timer.lap("tests");
+  return found;
+}
+
+// What the candidates are about to be replaced by says nothing about them.
+void Stream::list_pairs_before() {
+  const std::span<const SlotPair> candidates = candidates_.pairs(crew_);
+  if (!candidates_are_pairs_) return marks_.list_marked(candidates, before_);
+  before_.renew(candidates.size());
+  std::copy(candidates.begin(), candidates.end(), before_.data());
+}
+
+FoundPairs Stream::compare_with_before(std::span<const SlotPair> now) {
+  const SlotPairChanges changes = find_changes(std::as_const(before_).view(), now, began_, ended_);
+  return {.began = changes.began, .ended = changes.ended};
+}
+
+std::size_t Stream::generous_limit() const {
+  return parts_.max_pairs < kAnyNumber / 4 ? 2 * parts_.max_pairs + tuning::kFewCandidates : kAnyNumber;
+}
+
+// Fat boxes that overlap are no reason to refuse, but when there are very many, boxes are put in their place.
+void Stream::build_cells(const BodyChanges& changes) {
+  const std::size_t slots = changes.boxes.size();
+  if (fat_boxes_.have_slack()) {
+    cells_.limit_pairs(generous_limit());
     try {
-      return update_pairs(kind);
+      return cells_.build({fat_boxes_.data(changes.boxes), slots});
     } catch (const TooManyPairs&) {
-      bodies_.give_up_listing();
-      kind = kFull;
+      fat_boxes_.drop_slack();
     }
   }
-  return update_pairs(kind);
+  cells_.limit_pairs(parts_.max_pairs);
+  cells_.build({changes.boxes.data(), slots});
+  cells_.limit_pairs(generous_limit());
 }
 
-PairChanges Stream::update_pairs(Kind kind) {
-  if (hulls_are_boxes_ && bodies_.has_slack()) {
-    pairs_.start(candidates_.pairs());
-    hulls_are_boxes_ = false;
-  }
-  PairChanges changes;
-  if (kind == kFull) changes = update_all();
-  if (kind == kPartial) changes = update_changed();
-  return hulls_are_boxes_ ? changes : test_candidates(kind, changes);
+FoundPairs Stream::test_candidates(const BodyChanges& changes, const SlotPairChanges& of_candidates,
+                                   PhaseTimer& timer) {
+  const SlotPairChanges found = refresh_marks(changes, of_candidates);
+  timer.lap("tests");
+  return {.began = found.began, .ended = found.ended};
 }
 
-PairChanges Stream::test_candidates(Kind kind, const PairChanges& of_candidates) {
-  const std::span<const Pair> candidates = candidates_.pairs();
-  choose_workers(candidates.size(), kTestGuess);
-  TestedBoxes tested{bodies_.boxes().data(), bodies_.table()};
-  if (kind == kFull) return pairs_.renew(pool_, candidates, tested, max_pairs_);
-  if (bodies_.fresh() < bodies_.size() / kFewFresh) {
-    tested.stamps = bodies_.stamps();
-    tested.is_new = bodies_.stamp();
-  }
-  return pairs_.refresh(pool_, candidates, of_candidates, tested, max_pairs_);
+SlotPairChanges Stream::refresh_marks(const BodyChanges& changes, const SlotPairChanges& of_candidates) {
+  const std::span<const SlotPair> candidates = candidates_.pairs(crew_);
+  crew_.plan(candidates.size(), tuning::kTestGuess);
+  const bool few = changes.moved.size() + changes.inserted.size() < bodies_ / tuning::kFewFresh;
+  if (!few) return marks_.refresh(crew_, candidates, of_candidates, {changes.boxes.data()});
+  fresh_.resize(changes.boxes.size(), 0);
+  mark_fresh(changes, 1);
+  const SlotPairChanges found =
+      marks_.refresh(crew_, candidates, of_candidates, {changes.boxes.data(), fresh_.data()});
+  mark_fresh(changes, 0);
+  return found;
 }
 
-PairChanges Stream::update_all() {
-  bodies_.tidy();
-  const double count = static_cast<double>(std::max<std::size_t>(bodies_.size(), 1));
-  choose_workers(bodies_.size(), full_cost_.seconds);
-  const Clock::time_point start = Clock::now();
-  build_tree();
-  built_copies_ = tree_.copies();
-  changed_ += bodies_.size();
-  const PairChanges changes =
-      candidates_.replace(pool_, tree_.found(), hulls_are_boxes_ ? max_pairs_ : kAnyNumber);
-  full_cost_.learn(seconds_since(start) * pool_.active() / count);
-  return changes;
-}
-
-// Hulls that overlap are no reason to refuse, but when there are very many, boxes are put in their place.
-void Stream::build_tree() {
-  const std::size_t generous = max_pairs_ < kAnyNumber / 4 ? 2 * max_pairs_ + kFewCandidates : kAnyNumber;
-  if (bodies_.has_slack()) {
-    tree_.limit_pairs(generous);
-    try {
-      return tree_.build(bodies_.hulls(), bodies_.table().ids());
-    } catch (const TooManyPairs&) {
-      bodies_.drop_hulls();
-    }
-  }
-  tree_.limit_pairs(max_pairs_);
-  tree_.build(bodies_.hulls(), bodies_.table().ids());
-  tree_.limit_pairs(generous);
-}
-
-PairChanges Stream::update_changed() {
-  const std::span<const Change> changed = bodies_.changes();
-  const double count = static_cast<double>(changed.size());
-  choose_workers(changed.size(), partial_cost_.seconds);
-  const Clock::time_point start = Clock::now();
-  tree_.change(changed, bodies_.table().ids());
-  changed_ += changed.size();
-  const PairChanges changes =
-      candidates_.change(pool_, tree_.began(), tree_.ended(), hulls_are_boxes_ ? max_pairs_ : kAnyNumber);
-  partial_cost_.learn(seconds_since(start) * pool_.active() / count);
-  return changes;
+void Stream::mark_fresh(const BodyChanges& changes, std::uint8_t mark) {
+  for (const ChangedBody& body : changes.moved) fresh_[body.slot] = mark;
+  for (const Slot slot : changes.inserted) fresh_[slot] = mark;
 }
 
 // Up to how many changes the next update would rather look at one by one. Cells wear out: boxes that enter
 // leave gaps in memory behind and crowd cells.
 void Stream::plan_ahead() {
-  const double count = static_cast<double>(bodies_.size());
-  const bool worn_out = tree_.copies() > 2 * built_copies_ + 1024;
-  const double most = count * std::clamp(full_cost_.seconds / partial_cost_.seconds, kLeastShare, kMostShare);
-  bodies_.list_changes(worn_out || finder_ != nullptr ? 0 : static_cast<std::size_t>(most));
+  const double count = static_cast<double>(bodies_);
+  const bool worn_out = cells_.copies() > 2 * built_copies_ + 1024;
+  const double most =
+      count * std::clamp(full_cost_.seconds / partial_cost_.seconds, tuning::kLeastShare, tuning::kMostShare);
+  most_listed_ = worn_out || parts_.finder ? 0 : static_cast<std::size_t>(most);
 }
 
-void Stream::refresh_counters() {
-  statistics_.counters.assign(
-      {{"full updates", updates_[kFull]},
-       {"partial updates", updates_[kPartial]},
-       {"in-place updates", updates_[kInPlace]},
-       {"idle updates", updates_[kIdle]},
-       {"hulls put into cells", changed_},
-       {"candidates", candidates_.pairs().size()},
-       {"pieces", tree_.pieces()},
-       {"boxes in cells", tree_.copies()},
-       {"workers", pool_.active()},
-       {"vector lanes", kernels_.lanes},
-       {"bytes", bodies_.bytes() + tree_.bytes() + candidates_.bytes() + pairs_.bytes()}});
-  if (finder_ == nullptr) return;
-  finder_->add_counters(statistics_.counters);
-  statistics_.cell = finder_->take_cell_time();
+void Stream::refresh_counters(Statistics& statistics) {
+  bytes_ = fat_boxes_.bytes() + cells_.bytes() + candidates_.bytes() + marks_.bytes() + before_.bytes() +
+           now_.bytes() + began_.bytes() + ended_.bytes() + fresh_.capacity();
+  statistics.bytes += bytes_;
+  statistics.counters.assign({{"full updates", updates_[kFull]},
+                              {"partial updates", updates_[kPartial]},
+                              {"in-place updates", updates_[kInPlace]},
+                              {"idle updates", updates_[kIdle]},
+                              {"fat boxes put into cells", changed_},
+                              {"candidates", candidates_.size()},
+                              {"pieces", cells_.pieces()},
+                              {"boxes in cells", cells_.copies()},
+                              {"workers", crew_.active()},
+                              {"vector lanes", parts_.kernels->lanes}});
+  if (parts_.finder) parts_.finder->add_counters(statistics.counters);
 }
 
 }  // namespace cellsweep::stream
-
-namespace cellsweep {
-
-Result<std::unique_ptr<Broadphase>> make_stream(const EngineOptions& options,
-                                                std::unique_ptr<stream::PieceFinder> finder) {
-  const stream::Kernels* kernels = stream::find_kernels(options.isa);
-  if (kernels == nullptr) {
-    return Status{
-        StatusCode::bad_option,
-        "This machine or build does not have the instruction set that isa names; leave the choice to "
-        "the engine.",
-        std::nullopt,
-        static_cast<std::uint64_t>(options.isa),
-        0,
-        "isa"};
-  }
-  return std::unique_ptr<Broadphase>(
-      std::make_unique<stream::Stream>(options.threads, options.max_pairs, *kernels, std::move(finder)));
-}
-
-}  // namespace cellsweep

@@ -3,44 +3,45 @@
 /// pay.
 #pragma once
 
+#include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 
-#include "cellsweep/engines.h"
-#include "engines/stream/bodies/body_store.h"
+#include "base/crew.h"
+#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/phase_timer.h"
+#include "cellsweep/stream_view.h"
+#include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/cell_tree.h"
-#include "engines/stream/pairs/overlap_list.h"
-#include "engines/stream/pairs/pair_list.h"
-#include "engines/stream/pool.h"
+#include "engines/stream/pairs/candidate_list.h"
+#include "engines/stream/pairs/overlap_marks.h"
 
 namespace cellsweep::stream {
 
-/// Costs follow changes: nothing when nothing changed; the known candidates are tested again while all bodies
-/// stay inside of their hulls; the cells of those that left them are looked at when few did; everything is
-/// found anew when that is expected to take less time. Memory is linear in bodies and pairs.
-class Stream final : public Broadphase {
- public:
-  /// `threads` of 0: as many as the machine has, where they pay. `max_pairs` of 0: any number.
-  /// With a `finder`, everything is found anew by it where not all bodies stayed inside of their hulls.
-  Stream(unsigned threads, std::uint64_t max_pairs, const Kernels& kernels,
-         std::unique_ptr<PieceFinder> finder);
+struct StreamParts {
+  std::shared_ptr<Crew> crew;
+  std::size_t max_pairs = 0;  ///< 0: any number
+  const Kernels* kernels = nullptr;
+  std::unique_ptr<PieceFinder> finder{};  ///< finds pairs anew in the kernels' place; null for them
+};
 
-  using Broadphase::insert;
-  using Broadphase::move;
-  using Broadphase::remove;
-  std::string_view name() const override { return "stream"; }
+/// Costs follow changes: nothing when nothing changed; the known candidates are tested again while all bodies
+/// stay inside of their fat boxes; the cells of those that left them are looked at when few did; everything
+/// is found anew when that is expected to take less time. Memory is linear in bodies and pairs.
+class Stream final : public Engine, public HasFinder {
+ public:
+  explicit Stream(StreamParts parts);
+
   Capacity capacity() const override;
-  Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes) override;
-  Status move(std::span<const BodyId> ids, std::span<const Aabb> boxes) override;
-  Status remove(std::span<const BodyId> ids) override;
-  Result<PairChanges> update() override;
-  std::span<const Pair> pairs() const override {
-    return hulls_are_boxes_ ? candidates_.pairs() : pairs_.pairs();
-  }
-  std::size_t size() const override { return bodies_.size(); }
-  const Statistics& statistics() const override { return statistics_; }
+  Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) override;
+  /// A look inside; `boxes` are those of the last update, by slot.
+  StreamView view(std::span<const Aabb> boxes) const;
+  const PieceFinder* finder() const override { return parts_.finder.get(); }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   /// The kinds of update, counted in the statistics.
   enum Kind { kFull, kPartial, kInPlace, kIdle, kKinds };
 
@@ -50,44 +51,47 @@ class Stream final : public Broadphase {
     void learn(double sample);
   };
 
-  void choose_workers(std::size_t items, double seconds_of_item);
-  Kind kind_of_update();
-  PairChanges update_or_start_anew(Kind& kind);
-  PairChanges update_pairs(Kind kind);
-  void build_tree();
-  Status too_many_pairs() const;
-  PairChanges update_all();
-  PairChanges update_changed();
-  PairChanges test_candidates(Kind kind, const PairChanges& of_candidates);
+  Kind take(const BodyChanges& changes);
+  FoundPairs find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
+  FoundPairs find_none();
+  FoundPairs find_all(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer);
+  FoundPairs find_changed(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer);
+  bool change_cells();
+  FoundPairs test_all(const BodyChanges& changes, PhaseTimer& timer);
+  FoundPairs test_candidates(const BodyChanges& changes, const SlotPairChanges& of_candidates,
+                             PhaseTimer& timer);
+  SlotPairChanges refresh_marks(const BodyChanges& changes, const SlotPairChanges& of_candidates);
+  void list_pairs_before();
+  FoundPairs compare_with_before(std::span<const SlotPair> now);
+  void build_cells(const BodyChanges& changes);
+  FoundPairs counted(const FoundPairs& found);
+  void mark_fresh(const BodyChanges& changes, std::uint8_t mark);
+  std::size_t generous_limit() const;
   void plan_ahead();
-  void refresh_counters();
+  void note_idle(Statistics& statistics);
+  void refresh_counters(Statistics& statistics);
 
-  bool threads_are_given_;
-  const Kernels& kernels_;
-  std::size_t max_pairs_;
-  std::unique_ptr<PieceFinder> finder_;
-  Pool pool_;
-  BodyStore bodies_;
-  CellTree tree_;
-  PairList candidates_;  // pairs of overlapping hulls
-  OverlapList pairs_;    // of overlapping boxes, from when on these are not the same
-  bool hulls_are_boxes_ = true;
-  double missed_ = 0;  // seconds that threads would have saved, had there been any
-  Cost full_cost_;     // of a body
-  Cost partial_cost_;  // of a changed body
-  std::uint64_t updates_[kKinds] = {};
+  StreamParts parts_;
+  Crew& crew_;
+  FatBoxes fat_boxes_;
+  CellTree cells_;
+  CandidateList candidates_;  // pairs of overlapping fat boxes
+  OverlapMarks marks_;        // which of them are pairs, from when on not all are
+  bool candidates_are_pairs_ = true;
+  std::size_t pairs_ = 0;   // how many there are
+  Array<SlotPair> before_;  // the pairs of the update before, when everything is found anew
+  Array<SlotPair> now_;     // and those of this one
+  Array<SlotPair> began_;
+  Array<SlotPair> ended_;
+  Vector<std::uint8_t> fresh_;  // by slot, 0 between updates
+  std::size_t bodies_ = 0;
+  std::size_t most_listed_ = 0;  // changes of fat boxes that the next update looks at one by one
+  Cost full_cost_;               // of a body
+  Cost partial_cost_;            // of a changed body
+  std::array<std::uint64_t, kKinds> updates_{};
   std::uint64_t changed_ = 0;
   std::uint64_t built_copies_ = 0;
-  Statistics statistics_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace cellsweep::stream
-
-namespace cellsweep {
-
-/// Makes an empty `stream` that finds pairs by itself or by a `finder`. Errors: bad_option for an instruction
-/// set that this machine or build does not have.
-Result<std::unique_ptr<Broadphase>> make_stream(const EngineOptions& options,
-                                                std::unique_ptr<stream::PieceFinder> finder = nullptr);
-
-}  // namespace cellsweep

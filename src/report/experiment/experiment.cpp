@@ -4,38 +4,38 @@
 #include <functional>
 #include <utility>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "cellsweep/engines.h"
 #include "report/build_context.h"
 #include "report/experiment/experiment_run.h"
-#include "report/experiment/figures.h"
+#include "report/interrupt.h"
 #include "report/progress.h"
 #include "report/quantile.h"
+#include "report/units.h"
 
 namespace cellsweep::report {
 namespace {
 
 constexpr std::size_t kMostBodies = std::size_t{1} << 24;
 
-Status bad(std::string message, std::string setting) {
-  return {StatusCode::bad_option, std::move(message), std::nullopt, 0, 0, std::move(setting)};
-}
-
 Status check(const ExperimentSettings& settings) {
   if (settings.bodies.empty())
-    return bad("There is no number of boxes to run the experiment with.", "bodies");
+    return Status::bad_option("bodies", "There is no number of boxes to run the experiment with.");
   for (const std::size_t bodies : settings.bodies) {
     if (bodies == 0 || bodies > kMostBodies) {
-      return bad(text("The experiment runs with 1 to ", kMostBodies, " boxes, not ", bodies, "."), "bodies");
+      return Status::bad_option(
+          "bodies", text("The experiment runs with 1 to ", kMostBodies, " boxes, not ", bodies, "."), bodies,
+          kMostBodies);
     }
   }
-  if (settings.frames == 0) return bad("The experiment needs 1 frame or more.", "frames");
-  if (settings.repetitions == 0) return bad("The experiment needs 1 repetition or more.", "repetitions");
+  if (settings.frames == 0) return Status::bad_option("frames", "The experiment needs 1 frame or more.");
+  if (settings.repetitions == 0)
+    return Status::bad_option("repetitions", "The experiment needs 1 repetition or more.");
   return {};
 }
 
 Spread spread_of(const std::vector<double>& values) {
-  return {quantile(values, 0.5), quantile(values, 0), quantile(values, 1)};
+  return {quantile(values, 0.5), quantile(values, 0), quantile(values, 1), values.size()};
 }
 
 class Experiment {
@@ -55,6 +55,7 @@ class Experiment {
     for (unsigned repetition = 0; repetition < results_.settings.repetitions; ++repetition) {
       if (Status status = run_all_once(repetition); !status.ok()) return status;
     }
+    if (is_interrupted()) note_interruption();
     add_curves();
     return std::move(results_);
   }
@@ -85,12 +86,12 @@ class Experiment {
   }
 
   void find_places(const std::string& name) {
-    const auto engine = make_engine(name);
+    const auto engine = make_broadphase(name);
     if (!engine) {
       leave_out(text("Engine ", name, " is left out: ", engine.status().message));
       return;
     }
-    const Capacity capacity = (*engine)->capacity();
+    const Capacity capacity = engine->capacity();
     for (const std::size_t bodies : results_.settings.bodies) {
       if (bodies <= capacity.bodies) {
         places_.push_back({name, false, bodies, {}});
@@ -102,14 +103,14 @@ class Experiment {
   }
 
   void find_simulated_places(const std::string& name) {
-    const auto engine = make_engine(name, simulated_cell());
+    const auto engine = make_broadphase(name, settings_of_engine(true));
     if (!engine) {
       leave_out(text("The simulated Cell is left out for ", name, ": ", engine.status().message));
       return;
     }
     const std::size_t most = results_.settings.simulated_most_bodies;
     for (const std::size_t bodies : results_.settings.bodies) {
-      if (bodies <= std::min<std::uint64_t>(most, (*engine)->capacity().bodies)) {
+      if (bodies <= std::min<std::uint64_t>(most, engine->capacity().bodies)) {
         places_.push_back({name, true, bodies, {}});
       } else {
         leave_out(text("Engine ", name, " on the simulated Cell is left out with ", count_text(bodies),
@@ -119,6 +120,17 @@ class Experiment {
   }
 
   void leave_out(std::string sentence) { results_.left_out.push_back(std::move(sentence)); }
+
+  void note_interruption() {
+    std::size_t made = 0;
+    std::size_t wanted = 0;
+    for (const Place& place : places_) {
+      made += place.runs.size();
+      wanted += place.simulated ? 1 : results_.settings.repetitions;
+    }
+    results_.interrupted = text("Stopped by Ctrl-C when ", made, " of ", wanted,
+                                " runs were done; there is nothing here of the others.");
+  }
 
   std::size_t frames_in_all() const {
     std::size_t frames = 0;
@@ -140,6 +152,7 @@ class Experiment {
       std::rotate(turn.begin(), turn.begin() + static_cast<std::ptrdiff_t>(repetition % turn.size()),
                   turn.end());
       for (Place* place : turn) {
+        if (is_interrupted()) return {};
         if (Status status = run_once(*place); !status.ok()) return status;
       }
     }
@@ -150,6 +163,7 @@ class Experiment {
     auto run =
         run_through_experiment(place.engine, place.simulated, place.bodies, results_.settings, frame_done_);
     if (!run) return run.status();
+    if (!run->complete) return {};
     if (!run->exact) {
       results_.wrong.push_back(text("Engine ", place.engine, " with ", place.bodies,
                                     " boxes ended with other pairs than the oracle's."));
@@ -167,7 +181,7 @@ class Experiment {
     for (const Curve& curve : curve_table()) {
       CurveResult result{curve, {}};
       for (const Place& place : places_) {
-        if (place.engine == curve.engine && place.simulated == is_simulated(curve))
+        if (place.engine == curve.engine && place.simulated == is_simulated(curve) && !place.runs.empty())
           result.points[place.bodies] = spreads_of(place.runs, curve.part);
       }
       if (!result.points.empty()) results_.curves.push_back(std::move(result));

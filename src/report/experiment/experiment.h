@@ -32,6 +32,7 @@ struct Spread {
   double median = 0;
   double lowest = 0;
   double highest = 0;
+  std::size_t repetitions = 0;
 };
 
 /// A step of an engine's update, in microseconds.
@@ -57,6 +58,7 @@ struct ExperimentResults {
   std::map<std::size_t, std::size_t> pairs;  ///< overlapping pairs at the end, by number of boxes
   std::vector<std::string> left_out;         ///< a sentence for each point that an engine cannot have
   std::vector<std::string> wrong;  ///< a sentence for each run that ended with other pairs than the oracle's
+  std::string interrupted;         ///< a sentence, when not all runs were made
 
   /// The median of a curve at a size; nothing when it has no such point.
   std::optional<double> at(std::string_view curve, std::size_t bodies, Measure measure) const;
@@ -64,7 +66,8 @@ struct ExperimentResults {
 
 /// Runs scene `paper`: for each repetition and size, each engine takes its turn, in an order that rotates.
 /// Each run's last pairs are compared with the oracle's. Times are of the engine's own work, without what it
-/// marks as set-up. Errors: bad_option for no sizes, sizes of 0 or more than 2^24, no frames or repetitions;
+/// marks as set-up. An interrupted experiment ends after the frame that it is at, and keeps the runs that
+/// were complete. Errors: bad_option for no sizes, sizes of 0 or more than 2^24, no frames or repetitions;
 /// those of the engines.
 Result<ExperimentResults> run_experiment(const ExperimentSettings& settings);
 

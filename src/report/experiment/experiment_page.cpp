@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <string_view>
 
-#include "broadphase/text.h"
-#include "cellsweep/scene.h"
+#include "base/text.h"
+#include "cellsweep/world/scene.h"
 #include "report/experiment/figure_csv.h"
 #include "report/experiment/figure_plot.h"
 #include "report/experiment/figures.h"
 #include "report/experiment/findings.h"
 #include "report/experiment/html.h"
+#include "report/experiment/standing.h"
 #include "report/gnuplot.h"
 #include "report/picture/picture.h"
 #include "report/text_file.h"
+#include "report/units.h"
 
 namespace cellsweep::report {
 namespace {
@@ -54,13 +56,23 @@ std::string class_of(Verdict verdict) {
   }
 }
 
-std::string finding_html(const Finding& finding) {
+std::string verdict_html(const Finding& finding, const std::string& more) {
   const std::string verdict =
       html_element("span", html_text(verdict_text(finding.verdict)), "class=\"verdict\"");
-  return html_element("div",
-                      html_element("p", html_text(finding.claim) + " — " + verdict) +
-                          html_element("p", html_text(finding.text)),
+  return html_element("div", html_element("p", html_text(finding.claim) + " — " + verdict) + more,
                       "class=\"finding " + class_of(finding.verdict) + "\"");
+}
+
+std::string finding_html(const Finding& finding) {
+  return verdict_html(
+      finding,
+      html_element("p", html_text(finding.text)) +
+          html_element("p", "What the dissertation says in its chapter " + html_text(finding.chapter) + ".",
+                       "class=\"dim\""));
+}
+
+std::string paragraph_html(const std::string& words) {
+  return words.empty() ? "" : html_element("p", html_text(words));
 }
 
 std::string numbers_html(const Figure& figure, const ExperimentResults& results) {
@@ -80,10 +92,11 @@ std::string numbers_html(const Figure& figure, const ExperimentResults& results)
 std::string figure_html(const Figure& figure, const ExperimentResults& results,
                         const std::vector<Finding>& findings, const std::string& svg) {
   std::string caption(figure.caption);
-  caption += figure.document.empty() ? " Not in the document."
-                                     : " The document's " + std::string(figure.document) + ".";
+  caption += figure.document.empty() ? " Not in the dissertation."
+                                     : " The dissertation's " + std::string(figure.document) + ".";
   std::string html = html_element("h2", html_text(figure.title)) +
                      html_element("p", html_text(caption), "class=\"dim\"") + inline_svg(svg, figure.title);
+  if (figure.curves.empty()) html += paragraph_html(standing_text(results, figure.measure));
   for (const Finding& finding : findings) {
     if (finding.figure == figure.id) html += finding_html(finding);
   }
@@ -99,32 +112,56 @@ std::string picture_html(const ExperimentResults& results, const std::string& pn
                                      "\">\n" + html_element("p", html_text(words + "."), "class=\"dim\""));
 }
 
-std::string head_html(const ExperimentResults& results, const std::vector<Finding>& findings) {
-  std::string list;
-  for (const Finding& finding : findings) {
-    list +=
-        html_element("p",
-                     html_text(finding.claim) + " — " +
-                         html_element("span", html_text(verdict_text(finding.verdict)), "class=\"verdict\""),
-                     "class=\"finding " + class_of(finding.verdict) + "\"");
-  }
-  return html_element("h1", "The experiment of chapter 5, redone") +
+// What the reader gets, before any number.
+std::string subject_html(const ExperimentResults& results) {
+  const std::string sizes = text(count_text(results.settings.bodies.front()), " to ",
+                                 count_text(results.settings.bodies.back()), " boxes");
+  return html_element("h1", "What a frame of collision detection takes") +
+         html_element(
+             "p",
+             html_text(text("The time that it takes to find all overlapping pairs among ", sizes,
+                            ", with every engine of cellsweep, on one machine: when all boxes are new, when "
+                            "none moves and "
+                            "when one in ten does. There is a figure for each, with its numbers below it.")),
+             "class=\"dim\"") +
          html_element(
              "p",
              html_text(
-                 text("“Broadphase Collision Detection on the Cell Processor” (2010) measured how long a "
-                      "frame of sweep and prune takes with ",
-                      count_text(results.settings.bodies.front()), " to ",
-                      count_text(results.settings.bodies.back()),
-                      " boxes. The same scenes with cellsweep's engines, the Cell's SPUs emulated at full "
-                      "speed on this machine's cores. What the document found:")),
-             "class=\"dim\"") +
-         list;
+                 "control and cell-paper are the x86 version and the Cell version of “Broadphase Collision "
+                 "Detection on the Cell Processor” (2010), cell-brute and cell-resident what else fits a "
+                 "Cell, "
+                 "its SPUs emulated at full speed on this machine's cores; embree is there for comparison. "
+                 "stream is the engine to use: it takes any number of boxes."),
+             "class=\"dim\"");
+}
+
+// The engine to use, in the three kinds of frames.
+std::string standings_html(const ExperimentResults& results) {
+  std::vector<std::pair<std::string, std::string>> entries;
+  for (const auto& [name, measure] :
+       {std::pair{std::string("all new"), Measure::initial},
+        std::pair{std::string("none moves"), Measure::still},
+        std::pair{text(100 * results.settings.moving, " % move"), Measure::median}}) {
+    if (std::string words = standing_text(results, measure); !words.empty())
+      entries.emplace_back(name, std::move(words));
+  }
+  if (entries.empty()) return {};
+  return html_element("section", html_element("h2", "Where stream stands") + html_list(entries));
+}
+
+std::string head_html(const ExperimentResults& results, const std::vector<Finding>& findings) {
+  std::string list;
+  for (const Finding& finding : findings) list += verdict_html(finding, "");
+  return subject_html(results) + standings_html(results) +
+         html_element("section",
+                      html_element("h2", "What the dissertation found, and whether it holds here") + list);
 }
 
 // Sentences about what is not as it should be; the page must not hide them.
 std::string notes_html(const ExperimentResults& results) {
   std::string html;
+  if (!results.interrupted.empty())
+    html += html_element("p", html_text(results.interrupted), "class=\"finding fails\"");
   for (const std::string& note : results.wrong)
     html += html_element("p", html_text(note), "class=\"finding fails\"");
   for (const std::string& note : results.left_out)
@@ -151,9 +188,9 @@ std::string context_html(const ExperimentResults& results) {
               "p",
               "Wall-clock time of an engine's own work: handing over what changed, and update(). Points are "
               "medians of the repetitions, bars their range. What control and cell-paper do once per body "
-              "ever inserted, filling the map of all pairs, is left out, as in the document. Every run's "
-              "last "
-              "pairs were compared with all-against-all. Of the simulated Cell there is what its slowest SPE "
+              "ever inserted, filling the map of all pairs, is left out, as in the dissertation. Every run's "
+              "last pairs were compared with all-against-all. Of the simulated Cell there is what its "
+              "slowest SPE "
               "takes, without starting threads and without the PPU.") +
           html_list(entries));
 }
@@ -206,7 +243,7 @@ Status write_experiment(const ExperimentResults& results, const std::filesystem:
   const std::string page =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n"
-      "<title>cellsweep: the experiment</title>\n" +
+      "<title>cellsweep: what a frame takes</title>\n" +
       html_element("style", kStyle) + "</head>\n" + html_element("body", html_element("main", body)) +
       "</html>\n";
   return write_text_file(folder / "report.html", page);

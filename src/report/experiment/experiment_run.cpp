@@ -1,21 +1,20 @@
 #include "report/experiment/experiment_run.h"
 
 #include <algorithm>
-#include <chrono>
-#include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 
-#include "broadphase/brute_force.h"
-#include "cellsweep/engines.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
+#include "report/all_engines.h"
+#include "report/frame_clock.h"
+#include "report/hand_over.h"
+#include "report/interrupt.h"
+#include "report/oracle.h"
 #include "report/quantile.h"
-#include "report/run_engine.h"
 
 namespace cellsweep::report {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // One first frame is short, and may meet anything; but those of some engines take long.
 constexpr std::size_t kMostFirstFrames = 9;
@@ -25,26 +24,17 @@ constexpr double kEnoughOfFirstFrames = 1e5;  // microseconds
 class FrameTimes {
  public:
   /// Hands over and updates, and adds what that took.
-  template <class HandOver>
-  Status add(Broadphase& engine, HandOver&& hand_over) {
-    const Clock::time_point start = Clock::now();
-    if (Status status = hand_over(); !status.ok()) return status;
-    if (const auto changes = engine.update(); !changes) return changes.status();
-    double frame = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-    double spus = 0;
-    for (const Phase& phase : engine.statistics().phases) {
-      const double microseconds = 1000 * phase.milliseconds;
-      if (phase.name == "spus") spus = microseconds;
-      if (phase.setup) {
-        frame -= microseconds;
-      } else {
-        times_of_step(phase.name).push_back(microseconds);
-      }
+  Status add(Broadphase& engine, const std::function<Status()>& hand_over) {
+    const auto frame = time_frame(engine, hand_over);
+    if (!frame) return frame.status();
+    for (const Phase& phase : frame->time.phases) {
+      if (phase.kind != PhaseKind::setup) times_of_step(phase.name).push_back(1000 * phase.milliseconds);
     }
-    add_part(Part::frame, frame);
-    add_part(Part::spus, spus);
-    add_part(Part::longest_spu, longest_spu(engine));
-    add_part(Part::simulated_cell, longest_spe(engine));
+    add_part(Part::frame, 1000 * frame->time.work_ms());
+    add_part(Part::spus, 1000 * frame->time.spes_ms);
+    const CellStatistics spes = statistics_of_spes(engine).value_or(CellStatistics{});
+    add_part(Part::longest_spu, 1000 * spes.longest_spu_ms);
+    add_part(Part::simulated_cell, longest_spe(spes));
     return {};
   }
 
@@ -65,18 +55,10 @@ class FrameTimes {
   }
 
  private:
-  static double longest_spu(const Broadphase& engine) {
-    for (const Counter& counter : engine.statistics().counters) {
-      if (counter.name == "longest spu of this update, ns") return static_cast<double>(counter.value) / 1000;
-    }
-    return 0;
-  }
-
-  static double longest_spe(const Broadphase& engine) {
+  static double longest_spe(const CellStatistics& statistics) {
     double longest = 0;
-    if (const auto& cell = engine.statistics().cell) {
-      for (const SpeTime& spe : cell->spes) longest = std::max(longest, spe.total());
-    }
+    if (!statistics.time) return longest;
+    for (const SpeTime& spe : statistics.time->spes) longest = std::max(longest, spe.total());
     return longest;
   }
 
@@ -96,9 +78,8 @@ class FrameTimes {
 };
 
 bool has_pairs_of_oracle(const Broadphase& engine, const FrameSource& source) {
-  std::vector<Pair> pairs(engine.pairs().begin(), engine.pairs().end());
-  std::sort(pairs.begin(), pairs.end());
-  return pairs == brute_force_pairs(source.boxes());
+  const std::vector<Pair> truth = oracle_pairs(source.boxes());
+  return std::equal(engine.pairs().begin(), engine.pairs().end(), truth.begin(), truth.end());
 }
 
 class Passage {
@@ -115,6 +96,7 @@ class Passage {
     if (Status status = enter(name, **source); !status.ok()) return status;
     if (Status status = run_frames(**source); !status.ok()) return status;
     ExperimentRun run;
+    if (is_interrupted()) return run;
     for (std::size_t part = 0; part < kParts; ++part) {
       run.times[part][Measure::initial] = initial_.at(part, 0.5);
       run.times[part][Measure::still] = still_.at(part, 0.5);
@@ -125,6 +107,7 @@ class Passage {
     run.moving_steps = moving_.steps();
     run.pairs = engine_->pairs().size();
     run.exact = has_pairs_of_oracle(*engine_, **source);
+    run.complete = true;
     return run;
   }
 
@@ -132,8 +115,9 @@ class Passage {
   Status enter(const std::string& name, const FrameSource& source) {
     const std::size_t first_frames = simulated_ ? 1 : kMostFirstFrames;
     for (std::size_t i = 0; i < first_frames && initial_.total() < kEnoughOfFirstFrames; ++i) {
+      if (i > 0 && is_interrupted()) return {};
       engine_.reset();
-      auto made = make_engine(name, simulated_ ? simulated_cell() : EngineOptions{});
+      auto made = make_broadphase(name, settings_of_engine(simulated_));
       if (!made) return made.status();
       engine_ = std::move(*made);
       const auto hand_over = [&] { return insert_all(*engine_, source); };
@@ -143,12 +127,11 @@ class Passage {
   }
 
   Status run_frames(FrameSource& source) {
-    const auto nothing = [] { return Status{}; };
-    for (std::size_t i = 0; i < frames_; ++i) {
-      if (Status status = still_.add(*engine_, nothing); !status.ok()) return status;
+    for (std::size_t i = 0; i < frames_ && !is_interrupted(); ++i) {
+      if (Status status = still_.add(*engine_, hand_over_nothing); !status.ok()) return status;
       frame_done_();
     }
-    for (std::size_t i = 0; i < frames_; ++i) {
+    for (std::size_t i = 0; i < frames_ && !is_interrupted(); ++i) {
       source.advance();
       const auto hand_over = [&] { return move_changed(*engine_, source); };
       if (Status status = moving_.add(*engine_, hand_over); !status.ok()) return status;
@@ -161,7 +144,7 @@ class Passage {
   std::size_t frames_;
   const ExperimentSettings& settings_;
   const std::function<void()>& frame_done_;
-  std::unique_ptr<Broadphase> engine_;
+  std::optional<Broadphase> engine_;
   FrameTimes initial_;
   FrameTimes still_;
   FrameTimes moving_;
@@ -169,8 +152,9 @@ class Passage {
 
 }  // namespace
 
-EngineOptions simulated_cell() {
-  return {.spe_engine = SpeEngine::isa, .cycles = true};
+SettingValues settings_of_engine(bool simulated) {
+  if (!simulated) return {};
+  return {{"spe_engine", "isa"}, {"cycles", "true"}};
 }
 
 std::size_t frames_of_kind(bool simulated, const ExperimentSettings& settings) {

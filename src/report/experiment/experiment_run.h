@@ -13,8 +13,8 @@
 
 namespace cellsweep::report {
 
-/// The options of an engine on a simulated Cell.
-EngineOptions simulated_cell();
+/// The settings of an engine, with default options or on a simulated Cell.
+SettingValues settings_of_engine(bool simulated);
 
 /// The frames of each kind in a run.
 std::size_t frames_of_kind(bool simulated, const ExperimentSettings& settings);
@@ -25,11 +25,13 @@ struct ExperimentRun {
   std::vector<Step> initial_steps;
   std::vector<Step> moving_steps;
   std::size_t pairs = 0;
-  bool exact = false;  ///< ended with the oracle's pairs
+  bool exact = false;     ///< ended with the oracle's pairs
+  bool complete = false;  ///< false for one that was interrupted, of which there is nothing else
 };
 
 /// All boxes into new engines a few times, once on a simulated Cell; then frames with nothing moving, then
-/// frames with some moving. `frame_done` is called after each frame. Errors: those of the engine.
+/// frames with some moving. `frame_done` is called after each frame; an interrupted run ends there. Errors:
+/// those of the engine.
 Result<ExperimentRun> run_through_experiment(const std::string& engine, bool simulated, std::size_t bodies,
                                              const ExperimentSettings& settings,
                                              const std::function<void()>& frame_done);

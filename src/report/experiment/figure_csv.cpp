@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "broadphase/text.h"
+#include "base/text.h"
+#include "report/units.h"
 
 namespace cellsweep::report {
 namespace {
@@ -65,8 +66,7 @@ std::string figure_csv(const Figure& figure, const ExperimentResults& results) {
       const Spread& time = times[figure.measure];
       csv += text(figure.id, ",", result->curve.id, ",", result->curve.engine, ",",
                   part_name(result->curve.part), ",", bodies, ",", time.median, ",", time.lowest, ",",
-                  time.highest, ",",
-                  result->curve.part == Part::simulated_cell ? 1 : results.settings.repetitions, "\n");
+                  time.highest, ",", time.repetitions, "\n");
     }
   }
   return csv;

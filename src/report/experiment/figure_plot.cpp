@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "broadphase/text.h"
+#include "base/text.h"
+#include "report/units.h"
 
 namespace cellsweep::report {
 namespace {
@@ -60,6 +61,7 @@ std::string size_tics(const std::vector<std::size_t>& sizes) {
 
 constexpr std::string_view kStyle =
     "set encoding utf8\n"
+    "set micro\n"
     "set logscale xy\n"
     "set format y '%.0s %cs'\n"
     "set mytics 10\n"

@@ -1,10 +1,8 @@
 #include "report/experiment/figures.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdio>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::report {
 namespace {
@@ -36,14 +34,6 @@ bool shows(const Figure& figure, const Curve& curve) {
          (figure.with_spu_part && curve.part == Part::spus);
 }
 
-std::string three_digits(double value) {
-  std::array<char, 48> buffer{};
-  const double size = value < 0 ? -value : value;
-  const int digits = size >= 99.95 ? 0 : size >= 9.995 ? 1 : 2;
-  std::snprintf(buffer.data(), buffer.size(), "%.*f", digits, value);
-  return buffer.data();
-}
-
 }  // namespace
 
 std::span<const Figure> figure_table() {
@@ -56,26 +46,6 @@ std::vector<const CurveResult*> curves_of(const Figure& figure, const Experiment
     if (shows(figure, result.curve)) curves.push_back(&result);
   }
   return curves;
-}
-
-std::string time_text(double microseconds) {
-  if (microseconds >= 999'500) return three_digits(microseconds / 1e6) + " s";
-  if (microseconds >= 999.5) return three_digits(microseconds / 1e3) + " ms";
-  return three_digits(microseconds) + " µs";
-}
-
-std::string count_text(std::size_t count) {
-  const std::string digits = std::to_string(count);
-  std::string result;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0) result += ',';
-    result += digits[i];
-  }
-  return result;
-}
-
-std::string factor_text(double factor) {
-  return three_digits(factor);
 }
 
 }  // namespace cellsweep::report

@@ -29,13 +29,4 @@ std::span<const Figure> figure_table();
 /// The curves of a figure that were measured, in the order of the curve table.
 std::vector<const CurveResult*> curves_of(const Figure& figure, const ExperimentResults& results);
 
-/// A time for a person, with three digits: "27.1 ms", "513 µs".
-std::string time_text(double microseconds);
-
-/// A whole number with commas: "1,024".
-std::string count_text(std::size_t count);
-
-/// A factor with two or three digits: "12.7".
-std::string factor_text(double factor);
-
 }  // namespace cellsweep::report

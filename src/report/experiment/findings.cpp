@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "broadphase/text.h"
-#include "report/experiment/figures.h"
+#include "base/text.h"
+#include "report/units.h"
 
 namespace cellsweep::report {
 namespace {
@@ -95,9 +95,8 @@ std::string simulated_text(const ExperimentResults& results, std::size_t from, s
 }
 
 Finding judge_initial(const ExperimentResults& results) {
-  Finding finding{"initial",
-                  "The Cell version wins the initial sort, and by more the more boxes there are (5.1)",
-                  Verdict::unknown, ""};
+  Finding finding{"initial", "The Cell version wins the initial sort, and by more the more boxes there are",
+                  "5.1", Verdict::unknown, ""};
   const std::vector<Race> all = races(results, "cell-paper", Measure::initial);
   if (all.size() < 2) return unknown(finding, "cell-paper and control at two sizes");
   const Race& first = all.front();
@@ -113,7 +112,7 @@ Finding judge_initial(const ExperimentResults& results) {
 }
 
 Finding judge_static(const ExperimentResults& results) {
-  Finding finding{"static", "The Cell version loses to the x86 version when nothing moves (5.2)",
+  Finding finding{"static", "The Cell version loses to the x86 version when nothing moves", "5.2",
                   Verdict::unknown, ""};
   const std::vector<Race> all = races(results, "cell-paper", Measure::still);
   if (all.empty()) return unknown(finding, "cell-paper and control at one size");
@@ -126,8 +125,7 @@ Finding judge_static(const ExperimentResults& results) {
   if (finding.verdict == Verdict::holds) {
     finding.text += text(
         " Its sorted lists have nothing to do either, but it starts three SPU threads and waits for them in "
-        "every "
-        "frame: where the document had a floor of about 3 ms, there are ",
+        "every frame: where the document had a floor of about 3 ms, there are ",
         time_text(all.front().cell), " here.");
   }
   finding.text += resident_text(results, all.back().bodies, Measure::still);
@@ -137,9 +135,8 @@ Finding judge_static(const ExperimentResults& results) {
 Finding judge_spus(const ExperimentResults& results) {
   Finding finding{
       "dynamic-spus",
-      "Without the pair manager's updates, the Cell version gets ahead of the x86 version as boxes are added "
-      "(5.3)",
-      Verdict::unknown, ""};
+      "Without the pair manager's updates, the Cell version gets ahead of the x86 version as boxes are added",
+      "5.3", Verdict::unknown, ""};
   const std::vector<Race> all = races(results, "cell-paper-spus", Measure::longest);
   if (all.empty()) return unknown(finding, "the SPU part of cell-paper and control at one size");
   const Race& last = all.back();
@@ -162,7 +159,7 @@ Finding judge_spus(const ExperimentResults& results) {
 
 Finding judge_flat(const ExperimentResults& results) {
   Finding finding{"dynamic-spus",
-                  "The Cell version's longest frame takes about as long with 512 boxes as with 64 (5.3)",
+                  "The Cell version's longest frame takes about as long with 512 boxes as with 64", "5.3",
                   Verdict::unknown, ""};
   const auto small = results.at("cell-paper-spus", kFlatFrom, Measure::longest);
   const auto large = results.at("cell-paper-spus", kFlatTo, Measure::longest);
@@ -190,7 +187,7 @@ Finding judge_flat(const ExperimentResults& results) {
 Finding judge_updates(const ExperimentResults& results) {
   Finding finding{
       "dynamic",
-      "Updating the pair manager costs time: bearable up to 512 boxes, with 1,024 it ruins the frame (5.3)",
+      "Updating the pair manager costs time: bearable up to 512 boxes, with 1,024 it ruins the frame", "5.3",
       Verdict::unknown, ""};
   const auto at = [&](std::string_view curve, Measure measure) {
     return results.at(curve, kRuined, measure);

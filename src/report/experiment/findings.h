@@ -13,8 +13,9 @@ enum class Verdict { holds, fails, unknown };
 
 /// One of the document's findings, judged.
 struct Finding {
-  std::string figure;  ///< the id of the figure that shows it
-  std::string claim;   ///< what the document says
+  std::string figure;   ///< the id of the figure that shows it
+  std::string claim;    ///< what the document says
+  std::string chapter;  ///< where it says so
   Verdict verdict = Verdict::unknown;
   std::string text;  ///< the numbers and what follows from them, for a person
 };

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <regex>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::report {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "cellsweep/aabb.h"
-#include "cellsweep/eigen.h"
+#include "cellsweep/world/eigen.h"
 #include "report/picture/solids.h"
 
 namespace cellsweep::report {

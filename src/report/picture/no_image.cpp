@@ -7,12 +7,8 @@ std::string png_of(const Image&) {
 }
 
 Status write_png(const Image&, const std::filesystem::path&) {
-  return {StatusCode::bad_option,
-          "This build writes no PNG files, for it was configured without libpng (Debian: libpng-dev).",
-          std::nullopt,
-          0,
-          0,
-          ""};
+  return Status::bad_option(
+      "", "This build writes no PNG files, for it was configured without libpng (Debian: libpng-dev).");
 }
 
 }  // namespace cellsweep::report

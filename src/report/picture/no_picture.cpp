@@ -3,13 +3,10 @@
 namespace cellsweep::report {
 
 Result<Image> trace_picture(const Tableau&, const PictureSettings&) {
-  return Status{StatusCode::bad_option,
-                "This build makes no pictures, for it was configured without Embree 3 or libpng (Debian: "
-                "libembree-dev, libpng-dev).",
-                std::nullopt,
-                0,
-                0,
-                ""};
+  return Status::bad_option(
+      "",
+      "This build makes no pictures, for it was configured without Embree 3 or libpng (Debian: "
+      "libembree-dev, libpng-dev).");
 }
 
 }  // namespace cellsweep::report

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <thread>
 
-#include "broadphase/text.h"
+#include "base/text.h"
 #include "report/picture/camera.h"
 #include "report/picture/stage.h"
 
@@ -14,22 +14,21 @@ namespace {
 
 constexpr unsigned kMostPixels = 16384;
 constexpr unsigned kMostSamples = 4096;
+constexpr unsigned kMostThreads = 1024;
 constexpr unsigned kPixelPurpose = 0;
 
-Status check(const char* setting, unsigned value, unsigned most) {
-  if (value >= 1 && value <= most) return {};
-  return {StatusCode::bad_option,
-          text("The ", setting, " of a picture is 1 to ", most, ", not ", value, "."),
-          std::nullopt,
-          value,
-          most,
-          setting};
+Status check(const char* setting, unsigned value, unsigned least, unsigned most) {
+  if (value >= least && value <= most) return {};
+  return Status::bad_option(
+      setting, text("The ", setting, " of a picture: ", least, " to ", most, ", not ", value, "."), value,
+      most);
 }
 
 Status check(const PictureSettings& settings) {
-  if (Status status = check("width", settings.width, kMostPixels); !status.ok()) return status;
-  if (Status status = check("height", settings.height, kMostPixels); !status.ok()) return status;
-  return check("samples", settings.samples, kMostSamples);
+  if (Status status = check("width", settings.width, 1, kMostPixels); !status.ok()) return status;
+  if (Status status = check("height", settings.height, 1, kMostPixels); !status.ok()) return status;
+  if (Status status = check("threads", settings.threads, 0, kMostThreads); !status.ok()) return status;
+  return check("samples", settings.samples, 1, kMostSamples);
 }
 
 // Bright light is compressed, not cut off; the square root stands for sRGB's curve.
@@ -51,17 +50,18 @@ class Tracer {
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::thread> others;
     for (unsigned i = 1; i < (settings_.threads == 0 ? cores : settings_.threads); ++i) {
-      others.emplace_back([this] { trace_rows(); });
+      others.emplace_back([this] { trace_rows([](unsigned) {}); });
     }
-    trace_rows();
+    trace_rows(settings_.row_done);
     for (std::thread& other : others) other.join();
     return std::move(image_);
   }
 
  private:
-  void trace_rows() {
+  void trace_rows(const std::function<void(unsigned)>& row_done) {
     for (unsigned row = next_row_++; row < settings_.height; row = next_row_++) {
       for (unsigned column = 0; column < settings_.width; ++column) trace_pixel(column, row);
+      row_done(row);
     }
   }
 

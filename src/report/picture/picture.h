@@ -2,14 +2,15 @@
 /// A ray-traced picture of a world of boxes: daylight, shadows, colliding bodies green (W5, Figure 5.1).
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "cellsweep/aabb.h"
-#include "cellsweep/frame_source.h"
 #include "cellsweep/pose.h"
-#include "cellsweep/recording.h"
 #include "cellsweep/status.h"
+#include "cellsweep/world/frame_source.h"
+#include "cellsweep/world/recording.h"
 #include "report/picture/image.h"
 
 namespace cellsweep::report {
@@ -25,7 +26,9 @@ struct PictureSettings {
   unsigned width = 960;   ///< pixels, 1 to 16,384
   unsigned height = 640;  ///< pixels, 1 to 16,384
   unsigned samples = 16;  ///< rays a pixel, 1 to 4,096: more is smoother and takes longer
-  unsigned threads = 0;   ///< 0: one for each core
+  unsigned threads = 0;   ///< 0: one for each core; 1,024 at most
+  /// Called by the calling thread with the number of each row that it has traced.
+  std::function<void(unsigned)> row_done = [](unsigned) {};
 };
 
 /// The bodies of a picture, ascending: those as long as the world on two axes are taken for its floor and

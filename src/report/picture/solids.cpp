@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-#include "engines/embree/hand_over.h"
+#include "base/inside_embree.h"
 
 namespace cellsweep::report {
 namespace {

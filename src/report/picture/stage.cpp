@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cellsweep/eigen.h"
-#include "cellsweep/world.h"
+#include "cellsweep/world/eigen.h"
+#include "cellsweep/world/world.h"
 
 namespace cellsweep::report {
 namespace {

@@ -3,10 +3,10 @@
 #include <memory>
 #include <span>
 
-#include "broadphase/brute_force.h"
-#include "cellsweep/engines.h"
+#include "cellsweep/broadphase.h"
+#include "report/hand_over.h"
+#include "report/oracle.h"
 #include "report/picture/picture.h"
-#include "report/run_engine.h"
 
 namespace cellsweep::report {
 namespace {
@@ -30,14 +30,10 @@ bool is_wall(const Aabb& box, const Aabb& world) {
   return long_axes >= 2;
 }
 
-// By the engine that holds any number of bodies, where it is built.
 std::vector<Pair> pairs_of(const FrameSource& source) {
-  if (auto engine = make_engine("embree")) {
-    if (insert_all(**engine, source).ok() && (*engine)->update().ok()) {
-      return {(*engine)->pairs().begin(), (*engine)->pairs().end()};
-    }
-  }
-  return brute_force_pairs(source.boxes());
+  Broadphase engine;
+  if (!insert_all(engine, source).ok() || !engine.update().ok()) return oracle_pairs(source.boxes());
+  return {engine.pairs().begin(), engine.pairs().end()};
 }
 
 }  // namespace

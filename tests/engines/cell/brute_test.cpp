@@ -4,9 +4,7 @@
 
 #include <random>
 
-#include "cellsweep/aabb.h"
-#include "cellsweep/engines.h"
-#include "cellsweep/local_store.h"
+#include "engines/cell/cell_world.h"
 #include "engines/cell/ppu/dma_memory.h"
 #include "engines/cell/sanitized.h"
 #include "engines/cell/spu/brute/overlap_row.h"
@@ -38,23 +36,30 @@ TEST(OverlapRow, AgreesWithTheScalarTestOnEveryBody) {
 }
 
 TEST(CellBrute, TakesAtMost16Spus) {
-  EXPECT_TRUE(make_engine("cell-brute", {.spus = 16}).ok());
-  const auto made = make_engine("cell-brute", {.spus = 17});
-  ASSERT_FALSE(made.ok());
-  EXPECT_EQ(made.status().setting, "spus");
+  EXPECT_TRUE(make_broadphase(CellBruteOptions{.spus = 16}).ok());
+  const Status status = make_broadphase(CellBruteOptions{.spus = 17}).status();
+  EXPECT_EQ(status.code, StatusCode::bad_option);
+  EXPECT_EQ(status.setting, "spus");
+  EXPECT_EQ(status.number, 17U);
+  EXPECT_EQ(status.limit, 16U);
+}
+
+TEST(CellBrute, RefusesALocalStoreWithoutRoomForOneBody) {
+  const Status status = make_broadphase(CellBruteOptions{.spes = {.local_store = 69 << 10}}).status();
+  EXPECT_EQ(status.code, StatusCode::capacity);
+  EXPECT_EQ(status.setting, "local_store");
+  EXPECT_THAT(status.message, testing::HasSubstr("cannot hold a single body"));
+  EXPECT_GT(status.number, status.limit);
 }
 
 TEST(CellBrute, UsesNoMoreLocalStoreThanItsMapSays) {
   if (kSanitized) GTEST_SKIP() << "a sanitizer's data count too";
-  const auto engine = std::move(*make_engine("cell-brute", {.spus = 1}));
-  for (BodyId id = 0; id < 300; ++id) ASSERT_TRUE(engine->insert(id, Aabb{}).ok());
-  ASSERT_TRUE(engine->update().ok());
-  const auto map = local_store_map("cell-brute", {}, 512);  // the engine's arrays grow by doubling
+  Broadphase engine = make(CellBruteOptions{.spus = 1});
+  ASSERT_TRUE(engine.insert(ids_up_to(300), std::vector<Aabb>(300)).ok());
+  ASSERT_TRUE(engine.update().ok());
+  const auto map = local_store_map(CellBruteOptions(), 384);  // rows are whole blocks of 128
   ASSERT_TRUE(map.ok());
-  for (const Counter& counter : engine->statistics().counters) {
-    if (counter.name != "local store high water") continue;
-    EXPECT_LE(counter.value, map->used());
-  }
+  EXPECT_LE(cell_statistics(engine)->local_store_high_water, map->used());
 }
 
 }  // namespace

@@ -2,15 +2,12 @@
 // in every run.
 #include <gtest/gtest.h>
 
-#include "cellsweep/engines.h"
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
+#include "engines/cell/cell_world.h"
 #include "engines/cell/ppu/step_cycles.h"
-#include "report/run_engine.h"
 
 namespace cellsweep::cell {
 namespace {
-
-using report::CellFrame;
 
 TEST(StepCycles, TellAStepByTheNameOfTheFunction) {
   const std::vector<FunctionCycles> functions = {
@@ -35,30 +32,47 @@ TEST(StepCycles, BecomeMicrosecondsBetweenTwoMoments) {
   EXPECT_DOUBLE_EQ(time.total(), 2 + 3 / 3200.0);
 }
 
-EngineOptions timed() {
+SpeOptions timed() {
   return {.spe_engine = SpeEngine::isa, .cycles = true};
 }
 
-/// Frame 0 and five more of a small scene.
-std::vector<CellFrame> run(const char* name, const EngineOptions& options, double moving = 0.5) {
-  auto engine = make_engine(name, options);
+/// The longest of the SPEs, in microseconds.
+double longest(const CellTime& time) {
+  double longest = 0;
+  for (const SpeTime& spe : time.spes) longest = std::max(longest, spe.total());
+  return longest;
+}
+
+/// Frame 0 and five more of a small scene; nothing when the engine cannot be had or does not count.
+std::vector<CellTime> run(const NamedEngine& named, const SpeOptions& spes, double moving = 0.5) {
+  auto engine = named.make(spes);
   SceneSettings scene;
   scene.bodies = 48;
   scene.moving = moving;
   auto source = make_scene_frames(scene);
   if (!engine || !source) return {};
-  const auto report = report::run_engine(**engine, **source, {.updates = 5, .report_frames = {}});
-  return report ? report->cell : std::vector<CellFrame>();
+  EXPECT_TRUE(insert_all(*engine, **source).ok());
+  std::vector<CellTime> times;
+  for (int frame = 0; frame < 6; ++frame) {
+    if (frame > 0) {
+      (*source)->advance();
+      EXPECT_TRUE(move_changed(*engine, **source).ok());
+    }
+    EXPECT_TRUE(engine->update().ok());
+    const auto statistics = cell_statistics(*engine);
+    if (statistics && statistics->time) times.push_back(*statistics->time);
+  }
+  return times;
 }
 
-class CellTime : public testing::TestWithParam<const char*> {
+class CellTimeOf : public testing::TestWithParam<NamedEngine> {
  protected:
   void SetUp() override {
-    if (!make_engine(GetParam(), timed())) GTEST_SKIP() << "built without the SPU compiler";
+    if (!GetParam().make(timed())) GTEST_SKIP() << "built without the SPU compiler";
   }
 };
 
-void expect_same(const std::vector<CellFrame>& one, const std::vector<CellFrame>& other) {
+void expect_same(const std::vector<CellTime>& one, const std::vector<CellTime>& other) {
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     ASSERT_EQ(one[i].spes.size(), other[i].spes.size());
@@ -69,37 +83,43 @@ void expect_same(const std::vector<CellFrame>& one, const std::vector<CellFrame>
   }
 }
 
-TEST_P(CellTime, IsTheSameInEveryRunAndDmaMode) {
-  const std::vector<CellFrame> once = run(GetParam(), timed());
+TEST_P(CellTimeOf, IsTheSameInEveryRunAndDmaMode) {
+  const std::vector<CellTime> once = run(GetParam(), timed());
   ASSERT_EQ(once.size(), 6U);
   ASSERT_EQ(once.front().spes.size(), 3U);
-  EXPECT_GT(once.front().longest_us(), 1);
+  EXPECT_GT(longest(once.front()), 1);
   expect_same(once, run(GetParam(), timed()));
-  EngineOptions late = timed();
+  SpeOptions late = timed();
   late.dma = DmaMode::late;
   expect_same(once, run(GetParam(), late));
 }
 
-TEST_P(CellTime, HasMemorySharedByTheSpesUnlessToldOtherwise) {
-  EngineOptions alone = timed();
-  alone.cycle_parameters = {"sharing_spes=1"};
-  EngineOptions three = timed();
-  three.cycle_parameters = {"sharing_spes=3"};
-  const std::vector<CellFrame> as_used = run(GetParam(), timed());
+TEST_P(CellTimeOf, HasMemorySharedByTheSpesUnlessToldOtherwise) {
+  SpeOptions alone = timed();
+  alone.cycle_parameter = {"sharing_spes=1"};
+  SpeOptions three = timed();
+  three.cycle_parameter = {"sharing_spes=3"};
+  const std::vector<CellTime> as_used = run(GetParam(), timed());
   ASSERT_FALSE(as_used.empty());
   expect_same(as_used, run(GetParam(), three));
-  EXPECT_LT(run(GetParam(), alone).front().longest_us(), as_used.front().longest_us());
+  EXPECT_LT(longest(run(GetParam(), alone).front()), longest(as_used.front()));
 }
 
-TEST_P(CellTime, IsNotThereUnlessAskedFor) {
+TEST_P(CellTimeOf, IsNotThereUnlessAskedFor) {
   EXPECT_TRUE(run(GetParam(), {.spe_engine = SpeEngine::isa}).empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, CellTime, testing::Values("cell-paper", "cell-brute", "cell-resident"),
-                         [](const auto& each) { return std::string(each.param).substr(5); });
+TEST_P(CellTimeOf, SetsTheWaitForSpesAside) {
+  const std::vector<CellTime> frames = run(GetParam(), timed());
+  ASSERT_FALSE(frames.empty());
+  EXPECT_GT(frames.front().set_aside_ms, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, CellTimeOf, testing::ValuesIn(kEngines),
+                         [](const auto& test) { return test.param.name; });
 
 TEST(CellTimeOfPaper, HasEveryStepAndLittleElse) {
-  const std::vector<CellFrame> frames = run("cell-paper", timed());
+  const std::vector<CellTime> frames = run(kEngines[0], timed());
   if (frames.empty()) GTEST_SKIP() << "built without the SPU compiler";
   for (const SpeTime& spe : frames.front().spes) {
     for (const double step : {spe.sort, spe.change_detection, spe.compaction, spe.overlap, spe.dma_wait})
@@ -110,21 +130,24 @@ TEST(CellTimeOfPaper, HasEveryStepAndLittleElse) {
 }
 
 TEST(CellTimeOfResident, IsMostlySortAndOverlapAndNothingForAStillFrame) {
-  const std::vector<CellFrame> frames = run("cell-resident", timed());
+  const NamedEngine& resident = kEngines[2];
+  const std::vector<CellTime> frames = run(resident, timed());
   if (frames.empty()) GTEST_SKIP() << "built without the SPU compiler";
   for (const SpeTime& spe : frames.back().spes) EXPECT_LT(spe.other, 0.2 * spe.total());
   EXPECT_FALSE(frames.back().threads_started);
-  EXPECT_EQ(run("cell-resident", timed(), 0).back().longest_us(), 0);
+  EXPECT_EQ(longest(run(resident, timed(), 0).back()), 0);
 }
 
 TEST(CellTimeSettings, AreRefusedInWords) {
-  const auto without_isa = make_engine("cell-paper", {.cycles = true});
-  ASSERT_FALSE(without_isa);
-  EXPECT_EQ(without_isa.status().code, StatusCode::bad_option);
-  EXPECT_NE(without_isa.status().message.find("spe_engine isa"), std::string::npos);
-  EngineOptions wrong = timed();
-  wrong.cycle_parameters = {"no_such=1"};
-  EXPECT_FALSE(make_engine("cell-paper", wrong));
+  const Status without_isa = make_on<CellPaperOptions>({.cycles = true}).status();
+  EXPECT_EQ(without_isa.code, StatusCode::bad_option);
+  EXPECT_EQ(without_isa.setting, "cycles");
+  EXPECT_NE(without_isa.message.find("spe_engine isa"), std::string::npos);
+  SpeOptions wrong = timed();
+  wrong.cycle_parameter = {"no_such=1"};
+  EXPECT_FALSE(make_on<CellPaperOptions>(wrong));
+  if (!make_on<CellPaperOptions>(timed())) GTEST_SKIP() << "built without the SPU compiler";
+  EXPECT_EQ(make_on<CellPaperOptions>(wrong).status().setting, "cycle_parameter");
 }
 
 }  // namespace

@@ -31,18 +31,29 @@ TEST(LocalStoreLayout, WithoutALimitEverythingFits) {
 }
 
 TEST(LocalStoreLayout, SaysWhatFillsTheLocalStoreAndHowFarItIsOver) {
-  const Capacity capacity = local_store_capacity("e", kBudget, ten_bytes_each, 5000, "no more names");
+  const Capacity capacity = *local_store_capacity("e", kBudget, ten_bytes_each, 5000, "no more names");
   EXPECT_EQ(capacity.bodies, 30U);
-  EXPECT_EQ(capacity.setting, "local_store_bytes");
+  EXPECT_EQ(capacity.setting, "local_store");
   EXPECT_THAT(capacity.reason, testing::HasSubstr("code 400, data 100, stack 200, things 310"));
   EXPECT_THAT(capacity.reason, testing::HasSubstr("10 too many"));
 }
 
 TEST(LocalStoreLayout, GivesTheOtherReasonWhereTheLocalStoreIsLargeEnough) {
-  const Capacity capacity = local_store_capacity("e", kBudget, ten_bytes_each, 20, "no more names");
+  const Capacity capacity = *local_store_capacity("e", kBudget, ten_bytes_each, 20, "no more names");
   EXPECT_EQ(capacity.bodies, 20U);
   EXPECT_EQ(capacity.setting, "");
   EXPECT_EQ(capacity.reason, "no more names");
+}
+
+TEST(LocalStoreLayout, IsRefusedWithItsMapWithoutRoomForOneBody) {
+  const auto none = local_store_capacity("e", {705, 400, 100, 200}, ten_bytes_each, 20, "no more names");
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.status().code, StatusCode::capacity);
+  EXPECT_EQ(none.status().setting, "local_store");
+  EXPECT_EQ(none.status().number, 710U);
+  EXPECT_EQ(none.status().limit, 705U);
+  EXPECT_THAT(none.status().message, testing::HasSubstr("e cannot hold a single body"));
+  EXPECT_THAT(none.status().message, testing::HasSubstr("things 10"));
 }
 
 }  // namespace

@@ -2,20 +2,19 @@
 /// The Cell engines on recorded scenes: the pairs that all-against-all finds, by count and hash.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <ostream>
 #include <string>
 #include <tuple>
 #include <vector>
 
-#include "cellsweep/engines.h"
-#include "cellsweep/recording.h"
-#include "report/run_engine.h"
+#include "cellsweep/world/recording.h"
+#include "engines/cell/cell_world.h"
 
-namespace cellsweep {
+namespace cellsweep::cell {
 namespace {
 
 struct Known {
-  std::size_t frame;
   std::size_t pairs;
   std::string hash;
 };
@@ -23,7 +22,7 @@ struct Known {
 struct Recorded {
   std::string name;
   std::size_t updates;
-  std::vector<Known> frames;
+  std::map<std::size_t, Known> frames;  // by number
 };
 
 void PrintTo(const Recorded& recorded, std::ostream* out) {
@@ -33,19 +32,19 @@ void PrintTo(const Recorded& recorded, std::ostream* out) {
 const std::vector<Recorded> kRecordings = {
     {"pile",
      30,
-     {{0, 5577, "875cb2208a071dd3"}, {15, 4914, "add61a14b776a039"}, {30, 3901, "c05c583740ead6b9"}}},
+     {{0, {5577, "875cb2208a071dd3"}}, {15, {4914, "add61a14b776a039"}}, {30, {3901, "c05c583740ead6b9"}}}},
     {"towers",
      5,
-     {{0, 1059, "1bd83799cf2eaf2b"},
-      {1, 1146, "d5b11c5abf176677"},
-      {2, 1344, "72b1389cea3216e2"},
-      {3, 1665, "df40eae70b24e494"},
-      {4, 2119, "c62b8fc54f70b441"},
-      {5, 2369, "d3d6e065474af82e"}}}};
+     {{0, {1059, "1bd83799cf2eaf2b"}},
+      {1, {1146, "d5b11c5abf176677"}},
+      {2, {1344, "72b1389cea3216e2"}},
+      {3, {1665, "df40eae70b24e494"}},
+      {4, {2119, "c62b8fc54f70b441"}},
+      {5, {2369, "d3d6e065474af82e"}}}}};
 
 struct Way {
   std::string name;
-  EngineOptions options;
+  SpeOptions spes;
 };
 
 void PrintTo(const Way& way, std::ostream* out) {
@@ -68,39 +67,39 @@ bool takes_minutes(const Way& way, const Recorded& recorded) {
   return kSanitized && (way.name == "isa" || (way.name == "isa_late" && recorded.name == "pile"));
 }
 
-using RecordingOfEngine = testing::TestWithParam<std::tuple<std::string, Way, Recorded>>;
+using RecordingOfEngine = testing::TestWithParam<std::tuple<NamedEngine, Way, Recorded>>;
 
 TEST_P(RecordingOfEngine, GivesTheKnownPairs) {
-  const auto& [name, way, recorded] = GetParam();
+  const auto& [named, way, recorded] = GetParam();
   if (takes_minutes(way, recorded)) GTEST_SKIP() << "for the build without sanitizers";
-  if (way.options.spe_engine == SpeEngine::isa && !make_engine(name, way.options)) {
-    GTEST_SKIP() << make_engine(name, way.options).status().message;
-  }
+  auto engine = named.make(way.spes);
+  if (way.spes.spe_engine == SpeEngine::isa && !engine) GTEST_SKIP() << engine.status().message;
+  ASSERT_TRUE(engine.ok()) << engine.status().message;
   const std::string path = CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-" + recorded.name + "-1024.aabbs";
   auto recording = read_recording(path);
   ASSERT_TRUE(recording.ok()) << recording.status().message;
   const auto source = make_recording_frames(std::move(*recording));
-  auto engine = make_engine(name, way.options);
-  ASSERT_TRUE(engine.ok()) << engine.status().message;
-  report::RunSettings settings;
-  settings.updates = recorded.updates;
-  for (const Known& known : recorded.frames) settings.report_frames.push_back(known.frame);
-  const auto run = report::run_engine(**engine, *source, settings);
-  ASSERT_TRUE(run.ok()) << run.status().message;
-  for (std::size_t i = 0; i < recorded.frames.size(); ++i) {
-    EXPECT_EQ(run->frames[i].pairs, recorded.frames[i].pairs) << "frame " << recorded.frames[i].frame;
-    EXPECT_EQ(hash_text(run->frames[i].hash), recorded.frames[i].hash)
-        << "frame " << recorded.frames[i].frame;
+  ASSERT_TRUE(insert_all(*engine, *source).ok());
+  for (std::size_t frame = 0; frame <= recorded.updates; ++frame) {
+    if (frame > 0) {
+      ASSERT_TRUE(source->advance());
+      ASSERT_TRUE(move_changed(*engine, *source).ok());
+    }
+    ASSERT_TRUE(engine->update().ok());
+    const auto known = recorded.frames.find(frame);
+    if (known == recorded.frames.end()) continue;
+    EXPECT_EQ(engine->pairs().size(), known->second.pairs) << "frame " << frame;
+    EXPECT_EQ(hash_text(pair_set_hash(engine->pairs())), known->second.hash) << "frame " << frame;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Cell, RecordingOfEngine,
-                         testing::Combine(testing::Values("cell-paper", "cell-brute", "cell-resident"),
-                                          testing::ValuesIn(kWays), testing::ValuesIn(kRecordings)),
+                         testing::Combine(testing::ValuesIn(kEngines), testing::ValuesIn(kWays),
+                                          testing::ValuesIn(kRecordings)),
                          [](const auto& test) {
-                           return std::get<0>(test.param).substr(5) + "_" + std::get<1>(test.param).name +
-                                  "_" + std::get<2>(test.param).name;
+                           return std::get<0>(test.param).name + "_" + std::get<1>(test.param).name + "_" +
+                                  std::get<2>(test.param).name;
                          });
 
 }  // namespace
-}  // namespace cellsweep
+}  // namespace cellsweep::cell

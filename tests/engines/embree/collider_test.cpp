@@ -7,7 +7,8 @@
 #include <cfloat>
 #include <cmath>
 
-#include "broadphase/brute_force.h"
+#include "cellsweep/engine/engine.h"
+#include "engines/oracle/brute_force.h"
 
 namespace cellsweep::embree {
 namespace {
@@ -18,10 +19,11 @@ using ::testing::IsEmpty;
 std::vector<Pair> pairs_of(const std::vector<Aabb>& boxes, unsigned threads = 0) {
   Collider collider(threads);
   collider.build(boxes);
-  std::vector<SlotPair> found;
-  collider.find_pairs(found);
   std::vector<Pair> pairs;
-  for (const SlotPair& pair : found) pairs.push_back({pair.first, pair.second});
+  for (const auto part : collider.find_pairs()) {
+    for (const std::uint64_t key : part)
+      pairs.push_back({static_cast<BodyId>(key >> 32), static_cast<BodyId>(key)});
+  }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
@@ -47,8 +49,8 @@ TEST(EmbreeCollider, KnowsBoxesAsFarAwayAsFloatsGo) {
 
 TEST(EmbreeCollider, LeavesEmptySlotsOut) {
   const Aabb box{{0, 0, 0}, {1, 1, 1}};
-  EXPECT_THAT(pairs_of({no_box(), box, no_box(), box}), ElementsAre(Pair{1, 3}));
-  EXPECT_THAT(pairs_of({no_box(), no_box(), no_box()}), IsEmpty());
+  EXPECT_THAT(pairs_of({kNobody, box, kNobody, box}), ElementsAre(Pair{1, 3}));
+  EXPECT_THAT(pairs_of({kNobody, kNobody, kNobody}), IsEmpty());
 }
 
 TEST(EmbreeCollider, AgreesWithTheOracleOnAThousandBoxesForOneThreadAndMany) {

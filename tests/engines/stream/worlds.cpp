@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "broadphase/brute_force.h"
+#include "engines/oracle/brute_force.h"
 
 namespace cellsweep::stream {
 
@@ -42,10 +42,14 @@ void shake(std::vector<Aabb>& boxes, float step, std::uint64_t seed) {
   }
 }
 
-std::unique_ptr<Broadphase> engine_with(const std::vector<Aabb>& boxes, const EngineOptions& options) {
-  auto engine = std::move(*make_engine("stream", options));
-  EXPECT_TRUE(engine->insert(ids_below(boxes.size()), boxes).ok());
+Broadphase engine_with(const std::vector<Aabb>& boxes, const StreamOptions& options) {
+  Broadphase engine = std::move(*make_broadphase(options));
+  insert_all(engine, boxes);
   return engine;
+}
+
+void insert_all(Broadphase& engine, const std::vector<Aabb>& boxes) {
+  ASSERT_TRUE(engine.insert(ids_below(boxes.size()), boxes).ok());
 }
 
 void move_every(Broadphase& engine, const std::vector<Aabb>& boxes, std::size_t every) {

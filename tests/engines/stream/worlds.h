@@ -6,10 +6,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <string_view>
 #include <vector>
 
-#include "cellsweep/engines.h"
+#include "cellsweep/broadphase.h"
 #include "contract/random.h"
 
 namespace cellsweep::stream {
@@ -32,8 +32,11 @@ std::vector<Aabb> uniform_boxes(std::size_t count, std::uint64_t seed);
 /// Every box a little further, in a direction of its own.
 void shake(std::vector<Aabb>& boxes, float step, std::uint64_t seed);
 
-/// An engine that holds these boxes as bodies 0, 1, 2 …, before its first update.
-std::unique_ptr<Broadphase> engine_with(const std::vector<Aabb>& boxes, const EngineOptions& options = {});
+/// A broadphase that holds these boxes as bodies 0, 1, 2 …, before its first update.
+Broadphase engine_with(const std::vector<Aabb>& boxes, const StreamOptions& options = {});
+
+/// Inserts boxes as bodies 0, 1, 2 … into an empty broadphase.
+void insert_all(Broadphase& engine, const std::vector<Aabb>& boxes);
 
 /// Moves all bodies that `every` divides to the boxes of `boxes`; all when it is 1.
 void move_every(Broadphase& engine, const std::vector<Aabb>& boxes, std::size_t every);

@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <string_view>
 
 #include "cellsweep/engines.h"
+#include "report/experiment/experiment_run.h"
+#include "report/interrupt.h"
 
 namespace cellsweep::report {
 namespace {
@@ -29,8 +32,7 @@ bool is_in_table(std::string_view engine) {
 }
 
 bool is_there(const Curve& curve) {
-  if (curve.part != Part::simulated_cell) return make_engine(curve.engine).ok();
-  return make_engine(curve.engine, {.spe_engine = SpeEngine::isa, .cycles = true}).ok();
+  return make_broadphase(curve.engine, settings_of_engine(curve.part == Part::simulated_cell)).ok();
 }
 
 TEST(Experiment, MeasuresEveryEngineThatHasACurveAtEverySize) {
@@ -111,6 +113,20 @@ TEST(Experiment, LeavesTheSimulatedCellOutWhereItIsNotWantedOrTooLarge) {
   ASSERT_TRUE(none.ok());
   EXPECT_FALSE(none->at("cell-paper-simulated", 32, Measure::initial).has_value());
   EXPECT_THAT(none->left_out, ElementsAre());
+}
+
+TEST(Experiment, KeepsTheRunsThatWereCompleteWhenItIsInterrupted) {
+  const InterruptScope interrupts;
+  std::raise(SIGINT);
+  const auto results = run_experiment(small());
+  ASSERT_TRUE(results.ok());
+  EXPECT_THAT(results->interrupted, HasSubstr("when 0 of "));
+  EXPECT_THAT(results->curves, ElementsAre());
+  EXPECT_EQ(run_experiment(small())->interrupted, results->interrupted);
+}
+
+TEST(Experiment, SaysNothingOfAnInterruptionThatWasNone) {
+  EXPECT_EQ(run_experiment(small())->interrupted, "");
 }
 
 TEST(Experiment, RefusesSettingsThatMeasureNothing) {

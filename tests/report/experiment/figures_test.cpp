@@ -75,15 +75,9 @@ TEST(FigureScript, NamesItsAxesAndCurvesAndHoldsTheNumbersInSeconds) {
   EXPECT_THAT(script, HasSubstr("set output 'dynamic.png'"));
 }
 
-TEST(FigureTexts, ShowTimesWithThreeDigitsAndCountsWithCommas) {
-  EXPECT_EQ(time_text(0.2149), "0.21 µs");
-  EXPECT_EQ(time_text(99.96), "100 µs");
-  EXPECT_EQ(time_text(999.6), "1.00 ms");
-  EXPECT_EQ(time_text(27'140), "27.1 ms");
-  EXPECT_EQ(time_text(5.88e6), "5.88 s");
-  EXPECT_EQ(count_text(64), "64");
-  EXPECT_EQ(count_text(1024), "1,024");
-  EXPECT_EQ(count_text(1048576), "1,048,576");
+TEST(FigureScript, WritesMicrosecondsWithTheirSign) {
+  EXPECT_THAT(figure_script(figure("dynamic"), made_up_results()),
+              HasSubstr("set encoding utf8\nset micro\n"));
 }
 
 }  // namespace

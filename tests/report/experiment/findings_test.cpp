@@ -110,6 +110,13 @@ TEST(UpdatesFinding, FailsWhenUpdatesAreCheapOrControlIsSlower) {
   EXPECT_THAT(ahead.text, HasSubstr("it is still within"));
 }
 
+TEST(Findings, NameTheChapterApartFromTheClaim) {
+  for (const Finding& finding : judge(made_up_results())) {
+    EXPECT_THAT(finding.chapter, HasSubstr("5."));
+    EXPECT_THAT(finding.claim, Not(HasSubstr("(5")));
+  }
+}
+
 TEST(Findings, AreUnknownWithoutTheCurvesOrSizesTheySpeakOf) {
   ExperimentResults only_control = made_up_results();
   std::erase_if(only_control.curves,

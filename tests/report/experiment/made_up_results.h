@@ -17,7 +17,7 @@ inline ExperimentResults made_up_results() {
   for (const Curve& curve : curve_table()) {
     CurveResult result{curve, {}};
     for (const std::size_t bodies : results.settings.bodies) {
-      for (const Measure measure : kAllMeasures) result.points[bodies][measure] = {100, 90, 110};
+      for (const Measure measure : kAllMeasures) result.points[bodies][measure] = {100, 90, 110, 3};
     }
     results.curves.push_back(result);
   }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "cellsweep/scene.h"
+#include "cellsweep/world/scene.h"
 #include "fake_frames.h"
 
 namespace cellsweep::report {

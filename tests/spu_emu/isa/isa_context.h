@@ -8,8 +8,8 @@
 #include <array>
 #include <string>
 
-#include "assembler.h"
-#include "elf_builder.h"
+#include "elf/elf_builder.h"
+#include "encoding/assembler.h"
 #include "spu_emu/emulation.h"
 
 namespace spu_emu::isa {

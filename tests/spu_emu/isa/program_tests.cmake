@@ -1,9 +1,5 @@
 # What is around the machine: ELF files, library calls, programs under libspe2 and alone.
 spu_emu_test(spu_emu_isa_program_tests spu_emu.isa.
-  assembler.cpp elf_loader_test.cpp library_calls_test.cpp print_format_test.cpp program_test.cpp
-  timing/cycle_parameters_test.cpp timing/cycle_profile_test.cpp)
-if(TARGET spu_emu_arguments)
-  target_sources(spu_emu_isa_program_tests PRIVATE spu_arguments_test.cpp timing/cycle_table_test.cpp)
-  target_link_libraries(spu_emu_isa_program_tests PRIVATE spu_emu_arguments)
-endif()
+  encoding/assembler.cpp elf/elf_loader_test.cpp libc/library_calls_test.cpp libc/print_format_test.cpp
+  program_test.cpp timing/cycle_profile_test.cpp)
 add_subdirectory(programs)

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "broadphase/text.h"
-#include "engines/phase_timer.h"
+#include "base/text.h"
+#include "cellsweep/engine/phase_timer.h"
 
 extern "C" spe_program_handle_t cell_brute_spu;
 
@@ -17,7 +17,7 @@ constexpr std::uint64_t kMostBodies = 32768;
 constexpr std::size_t kArrays = 6;
 constexpr std::uint32_t kLargestNegative = 0xff7fffff;
 
-/// An empty slot: above and below everything at once, so that it overlaps nothing.
+/// An empty place: above and below everything at once, so that it overlaps nothing.
 const Aabb& nowhere() {
   const auto above = std::bit_cast<float>(kPaddingValueBits);
   const auto below = std::bit_cast<float>(kLargestNegative);
@@ -36,23 +36,24 @@ std::vector<LocalStorePart> brute_buffers(std::uint64_t bodies) {
           {"two rows", 2 * row}};
 }
 
-Result<std::unique_ptr<Broadphase>> Brute::make(const EngineOptions& options,
-                                                std::shared_ptr<Emulation> emulation) {
-  const unsigned spus = options.spus == 0 ? kDefaultSpus : options.spus;
-  if (spus > kMostSpus) {
-    return Status{StatusCode::bad_option,
-                  text("spus is ", spus, "; cell-brute uses at most ", kMostSpus, "."),
-                  std::nullopt,
-                  spus,
-                  kMostSpus,
-                  "spus"};
-  }
-  Capacity capacity =
+Status check(const CellBruteOptions& options) {
+  if (options.spus <= kMostSpus) return {};
+  return Status::bad_option("spus",
+                            text("spus is ", options.spus, "; cell-brute uses at most ", kMostSpus, "."),
+                            options.spus, kMostSpus);
+}
+
+Result<std::unique_ptr<Engine>> Brute::make(const CellBruteOptions& options,
+                                            std::shared_ptr<Emulation> emulation) {
+  if (Status status = check(options); !status.ok()) return status;
+  auto capacity =
       local_store_capacity("cell-brute", emulation->local_store(), brute_buffers, kMostBodies,
                            text("the host's table of overlaps is made for ", kMostBodies, " bodies"));
+  if (!capacity) return capacity.status();
+  const unsigned spus = options.spus == 0 ? kDefaultSpus : options.spus;
   auto spes = SpeGroup::make(spus, cell_brute_spu, std::move(emulation));
   if (!spes) return spes.status();
-  return std::unique_ptr<Broadphase>(new Brute(std::move(*spes), std::move(capacity)));
+  return std::unique_ptr<Engine>(new Brute(std::move(*spes), std::move(*capacity)));
 }
 
 Brute::Brute(std::unique_ptr<SpeGroup> spes, Capacity capacity)
@@ -64,10 +65,10 @@ Brute::Brute(std::unique_ptr<SpeGroup> spes, Capacity capacity)
 
 // Grows by doubling, for the arrays are copied.
 void Brute::make_room() {
-  const auto slots = static_cast<std::uint32_t>(bodies().slot_count());
-  if (slots <= stride_) return;
+  const auto places = static_cast<std::uint32_t>(place_count());
+  if (places <= stride_) return;
   const auto most = round_up(static_cast<std::uint32_t>(capacity_.bodies), kBruteBlock);
-  const std::uint32_t stride = std::min(most, round_up(std::max(slots, 2 * stride_), kBruteBlock));
+  const std::uint32_t stride = std::min(most, round_up(std::max(places, 2 * stride_), kBruteBlock));
   DmaVector<float> boxes(kArrays * stride);
   for (std::size_t array = 0; array < kArrays; ++array) {
     const Aabb& none = nowhere();
@@ -77,60 +78,44 @@ void Brute::make_room() {
   }
   boxes_.swap(boxes);
   stride_ = stride;
-  is_touched_.resize(stride);
   overlaps_.grow(stride);
 }
 
-void Brute::set_box(Slot slot, const Aabb& box) {
+void Brute::set_box(Slot place, const Aabb& box) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    boxes_[axis * stride_ + slot] = box.min[axis];
-    boxes_[(axis + 3) * stride_ + slot] = box.max[axis];
+    boxes_[axis * stride_ + place] = box.min[axis];
+    boxes_[(axis + 3) * stride_ + place] = box.max[axis];
   }
-  if (is_touched_[slot]) return;
-  is_touched_[slot] = true;
-  touched_.push_back(slot);
 }
 
-void Brute::apply_insert(std::span<const Slot> slots, std::span<const Aabb> boxes) {
+void Brute::apply_remove(std::span<const Slot> places) {
+  for (const Slot place : places) {
+    set_box(place, nowhere());
+    overlaps_.clear(place, [&](Slot other) { tracker_.note(slots(place, other), false); });
+  }
+}
+
+void Brute::apply_move(std::span<const Slot> places, std::span<const Aabb> boxes) {
+  for (std::size_t i = 0; i < places.size(); ++i) set_box(places[i], boxes[i]);
+  changed_.insert(changed_.end(), places.begin(), places.end());
+}
+
+void Brute::apply_insert(std::span<const Slot> places, std::span<const Aabb> boxes) {
   make_room();
-  apply_move(slots, boxes);
+  apply_move(places, boxes);
 }
 
-void Brute::apply_move(std::span<const Slot> slots, std::span<const Aabb> boxes) {
-  for (std::size_t i = 0; i < slots.size(); ++i) set_box(slots[i], boxes[i]);
-}
-
-void Brute::apply_remove(std::span<const Slot> slots) {
-  for (const Slot slot : slots) {
-    set_box(slot, nowhere());
-    overlaps_.clear(
-        slot, [&](Slot other) { tracker_.note(make_pair_of(bodies().id(slot), bodies().id(other)), false); });
-  }
-}
-
-Result<PairChanges> Brute::update() {
-  PhaseTimer timer(statistics_.phases);
-  list_changed();
+Result<FoundPairs> Brute::find_pairs(Statistics& statistics) {
+  PhaseTimer timer(statistics.phases);
   const std::vector<void*> jobs = prepare_jobs();
   timer.lap("share out");
   if (Status status = spes_->run(jobs); !status.ok()) return status;
-  timer.lap("spus");
+  timer.lap("spus", PhaseKind::spes);
   note_rows();
-  const PairChanges changes = tracker_.commit();
+  const FoundPairs found = tracker_.commit();
   timer.lap("collect changes");
-  ++statistics_.updates;
-  refresh_counters();
-  statistics_.cell = spes_->take_cell_time();
-  return changes;
-}
-
-// Slots emptied since they were touched have no row: removing them has cleared it.
-void Brute::list_changed() {
-  changed_.clear();
-  const float none = nowhere().min[0];
-  for (const Slot slot : touched_) {
-    if (boxes_[slot] != none) changed_.push_back(slot);
-  }
+  refresh(statistics);
+  return found;
 }
 
 // SPU k takes every so-manieth changed body; without any, nothing runs.
@@ -156,24 +141,21 @@ std::vector<void*> Brute::prepare_jobs() {
 
 void Brute::note_rows() {
   const std::size_t row_words = stride_ / 32;
+  const std::size_t spus = std::min<std::size_t>(spes_->size(), changed_.size());
   for (std::size_t i = 0; i < changed_.size(); ++i) {
-    const Slot slot = changed_[i];
-    const std::size_t spus = std::min<std::size_t>(spes_->size(), changed_.size());
+    const Slot place = changed_[i];
     const std::span<const std::uint32_t> rows = rows_[i % spus];
-    overlaps_.replace_row(slot, rows.subspan(i / spus * row_words, row_words), [&](Slot other, bool now) {
-      tracker_.note(make_pair_of(bodies().id(slot), bodies().id(other)), now);
-    });
+    overlaps_.replace_row(place, rows.subspan(i / spus * row_words, row_words),
+                          [&](Slot other, bool now) { tracker_.note(slots(place, other), now); });
   }
-  for (const Slot slot : touched_) is_touched_[slot] = false;
-  touched_.clear();
+  changed_.clear();
 }
 
-void Brute::refresh_counters() {
-  const SpeCounts counts = spes_->counts();
-  statistics_.counters = {
-      {"bodies tested", tested_},          {"dma gets", counts.gets},
-      {"dma puts", counts.puts},           {"dma bytes in", counts.bytes_in},
-      {"dma bytes out", counts.bytes_out}, {"local store high water", counts.local_store_high_water}};
+void Brute::refresh(Statistics& statistics) {
+  cell_statistics_ = spes_->take_statistics();
+  statistics.counters = {{"bodies tested", tested_}};
+  add_counters(cell_statistics_, statistics.counters);
+  statistics.bytes += overlaps_.bytes() + boxes_.capacity() * sizeof(float);
 }
 
 }  // namespace cellsweep::cell

@@ -1,6 +1,6 @@
 #include "engines/cell/ppu/layout.h"
 
-#include "broadphase/text.h"
+#include "base/text.h"
 
 namespace cellsweep::cell {
 
@@ -37,13 +37,17 @@ std::string describe(const LocalStoreMap& map) {
   return words + text(" of ", map.limit, " bytes, ", map.used() - map.limit, " too many");
 }
 
-Capacity local_store_capacity(std::string engine, const LocalStoreBudget& budget, const BufferList& buffers,
-                              std::uint64_t most, std::string why_most) {
+Result<Capacity> local_store_capacity(std::string engine, const LocalStoreBudget& budget,
+                                      const BufferList& buffers, std::uint64_t most, std::string why_most) {
   const std::uint64_t bodies = bodies_that_fit_local_store(budget, buffers, most);
-  if (bodies == most) return {most, "", std::move(why_most)};
+  if (bodies == most) return Capacity{most, "", std::move(why_most)};
   const LocalStoreMap too_many = make_local_store_map(std::move(engine), budget, buffers, bodies + 1);
-  return {bodies, "local_store_bytes",
-          text("the local store of an SPE would hold, for ", bodies + 1, " bodies: ", describe(too_many))};
+  std::string reason =
+      text("the local store of an SPE would hold, for ", bodies + 1, " bodies: ", describe(too_many));
+  if (bodies > 0) return Capacity{bodies, "local_store", std::move(reason)};
+  return Status::over_capacity(
+      text(too_many.engine, " cannot hold a single body: ", reason, "; raise local_store."), too_many.used(),
+      too_many.limit, "local_store");
 }
 
 }  // namespace cellsweep::cell

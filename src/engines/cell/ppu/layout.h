@@ -29,8 +29,9 @@ std::uint64_t bodies_that_fit_local_store(const LocalStoreBudget& budget, const 
 std::string describe(const LocalStoreMap& map);
 
 /// Capacity of an engine limited by its local store and, as a last resort, by `most`, which `why_most`
-/// explains as a phrase. The reason names the parts of the map of the first body too many.
-Capacity local_store_capacity(std::string engine, const LocalStoreBudget& budget, const BufferList& buffers,
-                              std::uint64_t most, std::string why_most);
+/// explains as a phrase. The reason names the parts of the map of the first body too many. Errors: capacity,
+/// when not even one body fits.
+Result<Capacity> local_store_capacity(std::string engine, const LocalStoreBudget& budget,
+                                      const BufferList& buffers, std::uint64_t most, std::string why_most);
 
 }  // namespace cellsweep::cell

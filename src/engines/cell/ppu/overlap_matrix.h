@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "broadphase/body_table.h"
+#include "cellsweep/engine/engine.h"
 
 namespace cellsweep::cell {
 
@@ -18,6 +18,9 @@ class OverlapMatrix {
 
   /// The slots that there is room for.
   std::uint32_t slots() const { return static_cast<std::uint32_t>(stride_ * 32); }
+
+  /// Memory held.
+  std::size_t bytes() const { return words_.capacity() * sizeof(std::uint32_t); }
 
   /// Sets the bits of two slots in each other's rows.
   void set(Slot one, Slot other) {

@@ -10,21 +10,21 @@ const auto kPaddingValue = std::bit_cast<float>(kPaddingValueBits);
 
 }  // namespace
 
-void PaperAxis::rebuild(std::span<const std::uint32_t> slots, std::span<const Aabb> boxes) {
-  const auto endpoints = static_cast<std::uint32_t>(2 * slots.size());
+void PaperAxis::rebuild(std::span<const std::uint32_t> places, std::span<const Aabb> boxes) {
+  const auto endpoints = static_cast<std::uint32_t>(2 * places.size());
   const std::uint32_t maximum = has(kPaperLiteral) ? 0 : kMaximumFlag;
   values_.assign(round_up(endpoints, kLanes), kPaddingValue);
   ids_.assign(values_.size(), kUnchanged);
   changed_.resize(values_.size());
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    const std::uint32_t id = slots[i] + 1;
-    values_[2 * i] = boxes[slots[i]].min[axis_];
-    values_[2 * i + 1] = boxes[slots[i]].max[axis_];
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::uint32_t id = places[i] + 1;
+    values_[2 * i] = boxes[places[i]].min[axis_];
+    values_[2 * i + 1] = boxes[places[i]].max[axis_];
     ids_[2 * i] = id;
     ids_[2 * i + 1] = id | maximum;
   }
   met_.assign(boxes.size() + 1, false);
-  make_room_for_keys(slots.size());
+  make_room_for_keys(places.size());
 }
 
 // Every pair comes once, but for Listing 4.12's walk, which sends an ID as often as it meets it.
@@ -43,11 +43,11 @@ void PaperAxis::refill(std::span<const Aabb> boxes) {
   }
 }
 
-void PaperAxis::fill_body_values(std::span<const std::uint32_t> slots, std::span<const Aabb> boxes) {
+void PaperAxis::fill_body_values(std::span<const std::uint32_t> places, std::span<const Aabb> boxes) {
   body_values_.assign(round_up(static_cast<std::uint32_t>(2 * boxes.size()), kLanes), kPaddingValue);
-  for (const std::uint32_t slot : slots) {
-    body_values_[2 * std::size_t{slot}] = boxes[slot].min[axis_];
-    body_values_[2 * std::size_t{slot} + 1] = boxes[slot].max[axis_];
+  for (const std::uint32_t place : places) {
+    body_values_[2 * std::size_t{place}] = boxes[place].min[axis_];
+    body_values_[2 * std::size_t{place} + 1] = boxes[place].max[axis_];
   }
 }
 

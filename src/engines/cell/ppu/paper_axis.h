@@ -13,20 +13,20 @@
 
 namespace cellsweep::cell {
 
-/// Endpoint arrays of one axis. IDs are slot + 1, so boxes are looked up at ID − 1.
+/// Endpoint arrays of one axis. IDs are place + 1, so boxes are looked up at ID − 1.
 class PaperAxis {
  public:
   PaperAxis(std::size_t axis, std::uint32_t flags) : axis_(axis), flags_(flags) {}
 
-  /// C2: new arrays for the bodies in `slots`, in that order, as the SPU's first frame wants them.
-  void rebuild(std::span<const std::uint32_t> slots, std::span<const Aabb> boxes);
+  /// C2: new arrays for the bodies in `places`, in that order, as the SPU's first frame wants them.
+  void rebuild(std::span<const std::uint32_t> places, std::span<const Aabb> boxes);
 
   /// C3, Listing 4.6: the values of this frame in the order of the last one's sorted IDs; a `met` flag tells
   /// a body's minimum from its maximum.
   void refill(std::span<const Aabb> boxes);
 
-  /// C12: the values in body order, for method 2; bodies not in `slots` get a minimum above all values.
-  void fill_body_values(std::span<const std::uint32_t> slots, std::span<const Aabb> boxes);
+  /// C12: the values in body order, for method 2; bodies not in `places` get a minimum above all values.
+  void fill_body_values(std::span<const std::uint32_t> places, std::span<const Aabb> boxes);
 
   /// The SPU's orders for the next frame. The addresses hold until the next rebuild().
   PaperJob* make_job(bool initial);

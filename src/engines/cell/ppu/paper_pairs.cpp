@@ -62,4 +62,10 @@ void PaperPairs::commit(Changed& changed) {
   });
 }
 
+std::size_t PaperPairs::bytes() const {
+  std::size_t sum = size() * control::kPairMapEntryBytes + touched_.bytes();
+  for (const OverlapMatrix& matrix : overlaps_) sum += matrix.bytes();
+  return sum;
+}
+
 }  // namespace cellsweep::cell

@@ -37,6 +37,9 @@ class PaperPairs {
 
   std::size_t size() const { return pairs_.size(); }
 
+  /// Memory held.
+  std::size_t bytes() const;
+
  private:
   control::PairManager pairs_;
   std::vector<std::uint32_t> entered_;     // IDs, in the order they came

@@ -4,17 +4,15 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
-#include "broadphase/checked_broadphase.h"
-#include "broadphase/pair_tracker.h"
-#include "cellsweep/engines.h"
+#include "cellsweep/cell.h"
+#include "engines/cell/cell_engine.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/ppu/layout.h"
-#include "engines/cell/ppu/pose_log.h"
-#include "engines/cell/ppu/resident_log.h"
 #include "engines/cell/ppu/resident_spes.h"
+#include "engines/common/pair_tracker.h"
+#include "engines/common/placed_engine.h"
 
 namespace cellsweep::cell {
 
@@ -22,52 +20,52 @@ namespace cellsweep::cell {
 /// what it last knew of them is the collision status. An update sends what changed since the one before, in
 /// up to three orders: bodies removed, moved, inserted. The SPUs share out the changed bodies, find each
 /// one's pairs along their own axis, combine the axes there and send back the pairs that began and ended.
-/// When nothing changed, no SPU hears of it (F4). With EngineOptions::spu_boxes a further order comes first
-/// when bodies have new poses: each SPU encloses them on its own axis (F3).
-class Resident final : public CheckedBroadphase {
+/// When nothing changed, no SPU hears of it (F4). With CellResidentOptions::spu_boxes there is a further
+/// order between updates: each SPU encloses poses on its own axis (F3).
+class Resident final : public PlacedEngine, public CellEngine, public PoseBoxes {
  public:
-  /// Starts the programs. Errors: bad_option for less than 3 or more than 16 SPUs and for a local store
+  /// Starts the programs. Errors: bad_option for less than 3 or more than 16 SPUs, capacity for a local store
   /// without room for a body, spe_failed.
-  static Result<std::unique_ptr<Broadphase>> make(const EngineOptions& options,
-                                                  std::shared_ptr<Emulation> emulation);
+  static Result<std::unique_ptr<Engine>> make(const CellResidentOptions& options,
+                                              std::shared_ptr<Emulation> emulation);
 
-  std::string_view name() const override { return "cell-resident"; }
   Capacity capacity() const override { return capacity_; }
-  Result<PairChanges> update() override;
-  std::span<const Pair> pairs() const override { return tracker_.pairs(); }
-  const Statistics& statistics() const override { return statistics_; }
-  Status boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const override;
+  const CellStatistics& cell_statistics() const override { return cell_statistics_; }
+  bool takes_poses() const override { return !spes_->poses().empty(); }
+  Status make_boxes(std::span<const BodyPose> poses, std::span<Aabb> boxes) override;
 
  protected:
-  void apply_insert(std::span<const Slot> slots, std::span<const Aabb> boxes) override;
-  void apply_move(std::span<const Slot> slots, std::span<const Aabb> boxes) override;
-  void apply_remove(std::span<const Slot> slots) override;
-  bool takes_poses() const override { return !spes_->poses().empty(); }
-  void apply_insert_poses(std::span<const Slot> slots, std::span<const BodyPose> poses) override;
-  void apply_move_poses(std::span<const Slot> slots, std::span<const BodyPose> poses) override;
+  void apply_remove(std::span<const Slot> places) override;
+  void apply_move(std::span<const Slot> places, std::span<const Aabb> boxes) override;
+  void apply_insert(std::span<const Slot> places, std::span<const Aabb> boxes) override;
+  Result<FoundPairs> find_pairs(Statistics& statistics) override;
 
  private:
   Resident(std::unique_ptr<ResidentSpes> spes, Capacity capacity);
-  Status make_boxes();
-  Status send(ResidentOrder order, std::span<const Slot> slots);
+  Status tell_changes();
+  Status send(ResidentOrder order, std::span<const ResidentRecord> records);
   void note_events();
-  void refresh_counters();
+  void take_boxes(std::span<Aabb> boxes) const;
+  void refresh(Statistics& statistics);
 
   std::unique_ptr<ResidentSpes> spes_;
   Capacity capacity_;
-  ResidentLog log_;
-  PoseLog poses_;
-  std::vector<BodyId> names_;              // by slot, of the bodies that the SPUs know
-  std::vector<std::optional<Aabb>> told_;  // by slot, the boxes that the SPUs know
+  std::vector<Aabb> boxes_;  // by place
+  std::vector<ResidentRecord> removed_;
+  std::vector<ResidentRecord> moved_;
+  std::vector<ResidentRecord> inserted_;
+  std::vector<Slot> names_;  // by place, of the bodies that the SPUs know
   PairTracker tracker_;
-  Status failure_;  // of the SPEs; they do not come back
+  CellStatistics cell_statistics_;
   std::uint64_t bodies_sent_ = 0;
   std::uint64_t poses_sent_ = 0;
   std::uint64_t events_ = 0;
-  Statistics statistics_;
 };
 
+/// Errors: bad_option.
+Status check(const CellResidentOptions& options);
+
 /// What an SPU of cell-resident allocates.
-std::vector<LocalStorePart> resident_buffers(const EngineOptions& options, std::uint64_t bodies);
+std::vector<LocalStorePart> resident_buffers(const CellResidentOptions& options, std::uint64_t bodies);
 
 }  // namespace cellsweep::cell

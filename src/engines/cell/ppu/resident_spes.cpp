@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "broadphase/text.h"
-#include "engines/timeline.h"
+#include "base/text.h"
+#include "cellsweep/engine/timeline.h"
 
 extern "C" spe_program_handle_t cell_resident_spu;
 
@@ -26,8 +26,7 @@ std::size_t most_events(std::uint64_t bodies, std::uint32_t changes, unsigned sp
 // Why there is no answer of an SPE whose program has ended.
 Status lost_status(unsigned index, Status why) {
   if (!why.ok()) return why;
-  return {
-      StatusCode::spe_failed, text("SPE ", index, " ended without an answer."), std::nullopt, index, 0, ""};
+  return Status::spe_failed(text("SPE ", index, " ended without an answer."), index);
 }
 
 }  // namespace
@@ -45,7 +44,7 @@ Result<std::unique_ptr<ResidentSpes>> ResidentSpes::start(const ResidentSize& wa
   std::unique_ptr<ResidentSpes> spes(new ResidentSpes(std::move(*group), wanted));
   if (Status status = spes->listen(); !status.ok()) return status;
   if (Status status = spes->run(); !status.ok()) return status;
-  static_cast<void>(spes->take_cell_time());
+  static_cast<void>(spes->take_statistics());
   return spes;
 }
 
@@ -88,7 +87,7 @@ Status ResidentSpes::listen() {
     unit.events = SPE_EVENT_OUT_INTR_MBOX;
     unit.spe = group_->context(i);
     if (spe_event_handler_register(events_.get(), &unit) != 0) {
-      return {StatusCode::spe_failed, text("No event can be had of SPE ", i, "."), std::nullopt, i, 0, ""};
+      return Status::spe_failed(text("No event can be had of SPE ", i, "."), i);
     }
   }
   return {};
@@ -103,6 +102,7 @@ Status ResidentSpes::run() {
 }
 
 Status ResidentSpes::obey(ResidentOrder order, std::uint32_t records) {
+  if (!failure_.ok()) return failure_;
   unsigned word = resident_word(order, records);
   std::fill(answered_.begin(), answered_.end(), false);
   for (unsigned i = 0; i < size(); ++i) {
@@ -110,7 +110,8 @@ Status ResidentSpes::obey(ResidentOrder order, std::uint32_t records) {
     spe_in_mbox_write(group_->context(i), &word, 1, SPE_MBOX_ANY_NONBLOCKING);
     ++mailbox_words_;
   }
-  return wait_for_answers();
+  failure_ = wait_for_answers();
+  return failure_;
 }
 
 Status ResidentSpes::wait_for_answers() {

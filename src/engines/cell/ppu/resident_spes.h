@@ -4,7 +4,6 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,8 +45,12 @@ class ResidentSpes {
   std::span<PoseBlock> poses() { return poses_; }
   std::span<const IntervalBlock> intervals(unsigned axis) const { return intervals_[axis]; }
 
-  /// Has all SPUs obey and waits for their answers. Errors: spe_failed; the programs have ended then.
+  /// Has all SPUs obey and waits for their answers. Errors: spe_failed; the programs have ended then, and
+  /// every later order fails the same way.
   Status obey(ResidentOrder order, std::uint32_t records);
+
+  /// Why the programs have ended; an ok status while they run.
+  const Status& failure() const { return failure_; }
 
   /// What SPU `index` answered to the last order. Valid until the next one.
   std::span<const std::uint32_t> events(unsigned index) const {
@@ -58,11 +61,8 @@ class ResidentSpes {
   std::uint64_t mailbox_words() const { return mailbox_words_; }
   std::uint64_t starts() const { return starts_; }
 
-  /// SpeGroup::take_cell_time(); what comes before the first order is not in it.
-  std::optional<CellTime> take_cell_time() { return group_->take_cell_time(); }
-
-  /// What the SPEs did since they were started.
-  SpeCounts counts() const { return group_->counts(); }
+  /// SpeGroup::take_statistics(); the time before the first order is not in it.
+  CellStatistics take_statistics() { return group_->take_statistics(); }
 
  private:
   struct Release {
@@ -88,6 +88,7 @@ class ResidentSpes {
   DmaVector<ResidentJob> jobs_;
   std::vector<std::uint32_t> answers_;
   std::vector<bool> answered_;
+  Status failure_;
   std::uint64_t mailbox_words_ = 0;
   std::uint64_t starts_ = 0;
 };

@@ -5,14 +5,14 @@
 #include <cstring>
 #include <utility>
 
-#include "broadphase/text.h"
-#include "engines/timeline.h"
+#include "base/text.h"
+#include "cellsweep/engine/timeline.h"
 
 namespace cellsweep::cell {
 namespace {
 
 Status failed(unsigned index, const std::string& why) {
-  return {StatusCode::spe_failed, text("SPE ", index, " failed: ", why), std::nullopt, index, 0, ""};
+  return Status::spe_failed(text("SPE ", index, " failed: ", why), index);
 }
 
 /// What a call of libspe2 left in errno; where the machine has no SPE, some of its versions leave nothing.
@@ -76,6 +76,7 @@ Status SpeGroup::run(std::span<void* const> jobs) {
 
 void SpeGroup::start(std::span<void* const> jobs) {
   started_ = started_ || !jobs.empty();
+  for (const auto& spe : spes_) spe->cpu_milliseconds = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     Spe& spe = *spes_[i];
     spe.running.store(true, std::memory_order_release);
@@ -107,9 +108,6 @@ Status SpeGroup::join() {
     spe.thread.join();
     if (!spe.fault.empty() && first.ok()) first = failed(i, spe.fault);
   }
-  for (unsigned i = 0; i < size() && !first.ok(); ++i) {
-    if (Status status = load(i); !status.ok()) return status;
-  }
   return first;
 }
 
@@ -119,23 +117,36 @@ double SpeGroup::longest_cpu_milliseconds() const {
   return longest;
 }
 
-std::optional<CellTime> SpeGroup::take_cell_time() {
+CellStatistics SpeGroup::take_statistics() {
+  CellStatistics taken = statistics();
+  for (const auto& spe : spes_) spe->before = spe->now;
+  aside_milliseconds_ = 0;
+  started_ = false;
+  return taken;
+}
+
+CellStatistics SpeGroup::statistics() {
+  const SpeCounts all = counts();
+  return {longest_cpu_milliseconds(), all.gets,   all.puts, all.bytes_in, all.bytes_out, all.list_elements,
+          all.local_store_high_water, cell_time()};
+}
+
+std::optional<CellTime> SpeGroup::cell_time() {
   if (!counts_cycles_) return std::nullopt;
   CellTime time;
-  take_steps(time);
-  time.set_aside_ms = std::exchange(aside_milliseconds_, 0);
-  time.threads_started = std::exchange(started_, false);
+  list_steps(time);
+  time.set_aside_ms = aside_milliseconds_;
+  time.threads_started = started_;
   return time;
 }
 
 // Asking takes time, too, which a Cell would not spend.
-void SpeGroup::take_steps(CellTime& time) {
+void SpeGroup::list_steps(CellTime& time) {
   const Aside aside(*this);
   for (const auto& spe : spes_) {
     const SpeCycles cycles = emulation_->cycles(spe->context);
-    const StepCycles now = cycles_by_step(cycles.functions);
-    time.spes.push_back(spe_time(now, spe->counted, cycles.hertz));
-    spe->counted = now;
+    spe->now = cycles_by_step(cycles.functions);
+    time.spes.push_back(spe_time(spe->now, spe->before, cycles.hertz));
   }
 }
 
@@ -143,6 +154,14 @@ SpeCounts SpeGroup::counts() const {
   SpeCounts sum;
   for (const auto& spe : spes_) sum += emulation_->counts(spe->context);
   return sum;
+}
+
+void add_counters(const CellStatistics& statistics, std::vector<Counter>& counters) {
+  counters.insert(counters.end(), {{"dma gets", statistics.dma_gets},
+                                   {"dma puts", statistics.dma_puts},
+                                   {"dma bytes in", statistics.dma_bytes_in},
+                                   {"dma bytes out", statistics.dma_bytes_out},
+                                   {"local store high water", statistics.local_store_high_water}});
 }
 
 }  // namespace cellsweep::cell

@@ -12,10 +12,10 @@
 #include <thread>
 #include <vector>
 
-#include "cellsweep/broadphase.h"
+#include "base/thread_clock.h"
+#include "cellsweep/cell.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/ppu/step_cycles.h"
-#include "engines/thread_clock.h"
 
 namespace cellsweep::cell {
 
@@ -33,8 +33,8 @@ class SpeGroup {
   SpeGroup(const SpeGroup&) = delete;
   SpeGroup& operator=(const SpeGroup&) = delete;
 
-  /// While it lives, what the thread computes is no work of the host for take_cell_time(). Costs nothing when
-  /// that is not counted.
+  /// While it lives, what the thread computes is no work of the host for take_statistics(). Costs nothing
+  /// when that is not counted.
   class Aside {
    public:
     explicit Aside(SpeGroup& group)
@@ -55,7 +55,7 @@ class SpeGroup {
 
   /// C1: starts a thread for each SPE that runs its program from the beginning with jobs[i] as its argument,
   /// and waits for all. jobs.size() SPEs run, the first ones. Errors: spe_failed with the rule an SPE broke;
-  /// after that all programs are loaded anew, and the next run starts from nothing.
+  /// the group is of no more use then.
   Status run(std::span<void* const> jobs);
 
   /// The first half of run(): returns at once.
@@ -67,18 +67,18 @@ class SpeGroup {
   /// True from start() until the program ended by itself, by a fault, or by exit. Safe to poll.
   bool running(unsigned index) const { return spes_[index]->running.load(std::memory_order_acquire); }
 
-  /// CPU time of the SPE's last finished run, in milliseconds: the program without the start of its thread.
+  /// CPU time of the SPE in the last run, in milliseconds: the program without the start of its thread. 0
+  /// when it was not among those that ran, and while it runs.
   double cpu_milliseconds(unsigned index) const { return spes_[index]->cpu_milliseconds; }
 
   /// The largest of cpu_milliseconds().
   double longest_cpu_milliseconds() const;
 
-  /// Since the call before, on a Cell's clock; nothing when that is not counted. While programs run, as of
-  /// their last message.
-  std::optional<CellTime> take_cell_time();
+  /// The SPEs' statistics; of programs that run, as of about now. On a Cell's clock since take_statistics().
+  CellStatistics statistics();
 
-  /// What all SPEs did, added up; of those that run, about now.
-  SpeCounts counts() const;
+  /// The same; an update ends, or begins, here.
+  CellStatistics take_statistics();
 
  private:
   struct Spe {
@@ -87,12 +87,15 @@ class SpeGroup {
     std::atomic<bool> running = false;
     double cpu_milliseconds = 0;
     std::string fault{};
-    StepCycles counted{};  // by take_cell_time() until now
+    StepCycles now{};     // when statistics() were asked for last
+    StepCycles before{};  // and take_statistics()
   };
 
   SpeGroup(spe_program_handle_t& program, std::shared_ptr<Emulation> emulation);
   Status add_spe(unsigned of);
-  void take_steps(CellTime& time);
+  SpeCounts counts() const;
+  std::optional<CellTime> cell_time();
+  void list_steps(CellTime& time);
   Status load(unsigned index);
   void run_program(Spe& spe, void* job) const;
 
@@ -100,8 +103,11 @@ class SpeGroup {
   std::shared_ptr<Emulation> emulation_;
   std::vector<std::unique_ptr<Spe>> spes_;
   bool counts_cycles_ = false;
-  double aside_milliseconds_ = 0;  // since take_cell_time()
+  double aside_milliseconds_ = 0;  // since take_statistics()
   bool started_ = false;           // since then, too
 };
+
+/// Appends, for people, what the SPEs transferred and filled.
+void add_counters(const CellStatistics& statistics, std::vector<Counter>& counters);
 
 }  // namespace cellsweep::cell

@@ -40,8 +40,7 @@ constexpr StepOfFunction kFunctions[] = {
     {"send_by_list", kOverlap},
     {"finish", kOverlap},
     // cell-resident: changed bodies are listed in the axis' order and take their places on it; marks tell
-    // them
-    // from others.
+    // them from others.
     {"list_by_place", kSort},
     {"list_by_key", kSort},
     {"sort_list", kSort},

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "cellsweep/broadphase.h"
+#include "cellsweep/cell.h"
 #include "engines/cell/emulation.h"
 
 namespace cellsweep::cell {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "broadphase/text.h"
+#include "base/text.h"
+#include "cellsweep/engine/engine.h"
 #include "engines/cell/ppu/layout.h"
 
 extern "C" spe_program_handle_t cell_stream_spu;
@@ -16,22 +17,8 @@ constexpr unsigned kMostSpus = 16;
 constexpr std::uint32_t kRoom = 16 * kStreamPairs;
 constexpr std::uint64_t kBlockBytes = std::uint64_t{4} * kStreamWords * kStreamBlock;
 
-static_assert(kTagBits == stream::kSlotBits);
+static_assert(kTagBits == kSlotBits);
 static_assert(sizeof(stream::TaggedBox) == 4 * kStreamWords);
-
-std::uint64_t key_of(std::uint32_t slot, std::uint32_t other, const BodyId* ids) {
-  if (ids != nullptr) return pair_key(make_pair_of(ids[slot], ids[other]));
-  return pair_key(make_pair_of(slot, other));
-}
-
-Status spus_status(unsigned spus) {
-  return {StatusCode::bad_option,
-          text("spus is ", spus, "; stream uses at most ", kMostSpus, "."),
-          std::nullopt,
-          spus,
-          kMostSpus,
-          "spus"};
-}
 
 }  // namespace
 
@@ -43,26 +30,33 @@ std::vector<LocalStorePart> stream_buffers(std::uint64_t) {
           {"a block by coordinate", std::uint64_t{4} * (kStreamTag + 1) * kStreamBlock}};
 }
 
-Result<std::unique_ptr<stream::PieceFinder>> StreamSpes::make(const EngineOptions& options,
+Status check(const CellStreamOptions& options) {
+  if (options.spus <= kMostSpus) return {};
+  return Status::bad_option("spus",
+                            text("spus is ", options.spus, "; cell-stream uses at most ", kMostSpus, "."),
+                            options.spus, kMostSpus);
+}
+
+Result<std::unique_ptr<stream::PieceFinder>> StreamSpes::make(const CellStreamOptions& options,
                                                               std::shared_ptr<Emulation> emulation) {
-  const unsigned spus = options.spus == 0 ? kDefaultSpus : options.spus;
-  if (spus > kMostSpus) return spus_status(spus);
-  const LocalStoreMap map = make_local_store_map("stream", emulation->local_store(), stream_buffers, 1);
+  if (Status status = check(options); !status.ok()) return status;
+  const LocalStoreMap map = make_local_store_map("cell-stream", emulation->local_store(), stream_buffers, 1);
   if (!map.fits()) {
-    return Status{StatusCode::capacity,
-                  text("A piece of stream does not fit: ", describe(map), "."),
-                  std::nullopt,
-                  map.used(),
-                  map.limit,
-                  "local_store_bytes"};
+    return Status::over_capacity(text("A piece of cell-stream does not fit: ", describe(map), "."),
+                                 map.used(), map.limit, "local_store");
   }
+  const unsigned spus = options.spus == 0 ? kDefaultSpus : options.spus;
   auto spes = SpeGroup::make(spus, cell_stream_spu, std::move(emulation));
   if (!spes) return spes.status();
   return std::unique_ptr<stream::PieceFinder>(new StreamSpes(std::move(*spes)));
 }
 
 StreamSpes::StreamSpes(std::unique_ptr<SpeGroup> spes)
-    : spes_(std::move(spes)), shares_(spes_->size()), jobs_(spes_->size()), results_(spes_->size()) {}
+    : spes_(std::move(spes)),
+      shares_(spes_->size()),
+      jobs_(spes_->size()),
+      results_(spes_->size()),
+      milliseconds_(spes_->size()) {}
 
 // Each block of a cell with itself and with those behind it.
 void StreamSpes::share_out(std::span<const stream::CellBoxes> cells) {
@@ -102,37 +96,50 @@ std::vector<void*> StreamSpes::prepare_jobs() {
   return jobs;
 }
 
-void StreamSpes::take_results(const BodyId* ids, stream::KeyBuffer& found) {
+void StreamSpes::take_results(stream::KeyBuffer& found) {
   std::size_t next = 0;
   for (Share& share : shares_) {
     if (share.done == share.pieces.size()) continue;
     const StreamResult& result = results_[next++];
     share.done += result.pieces_done;
     share.rows_done = result.rows_done;
-    found.need(result.pairs);
+    stream::make_room(found, result.pairs);
     for (std::size_t i = 0; i < std::size_t{2} * result.pairs; i += 2) {
-      if (share.pairs[i] == kNoSlot) continue;
-      found.keys[found.size++] = key_of(share.pairs[i], share.pairs[i + 1], ids);
+      if (share.pairs[i] == kNoStreamPair) continue;
+      found.keys[found.size++] = pair_key(make_slot_pair(share.pairs[i], share.pairs[i + 1]));
     }
   }
 }
 
-void StreamSpes::find(std::span<const stream::CellBoxes> cells, const BodyId* ids, stream::KeyBuffer& found) {
+void StreamSpes::begin_update() {
+  std::fill(milliseconds_.begin(), milliseconds_.end(), 0);
+  static_cast<void>(spes_->take_statistics());
+  refresh_statistics();
+}
+
+void StreamSpes::find(std::span<const stream::CellBoxes> cells, stream::KeyBuffer& found) {
   share_out(cells);
   for (std::vector<void*> jobs = prepare_jobs(); !jobs.empty(); jobs = prepare_jobs()) {
-    if (Status status = spes_->run(jobs); !status.ok()) throw stream::PieceFailure{std::move(status)};
-    take_results(ids, found);
+    run(jobs);
+    take_results(found);
   }
+  refresh_statistics();
+}
+
+void StreamSpes::run(std::span<void* const> jobs) {
+  if (Status status = spes_->run(jobs); !status.ok()) throw stream::PieceFailure{std::move(status)};
+  for (unsigned i = 0; i < spes_->size(); ++i) milliseconds_[i] += spes_->cpu_milliseconds(i);
+}
+
+// There may be several runs in an update.
+void StreamSpes::refresh_statistics() {
+  cell_statistics_ = spes_->statistics();
+  cell_statistics_.longest_spu_ms = *std::max_element(milliseconds_.begin(), milliseconds_.end());
 }
 
 void StreamSpes::add_counters(std::vector<Counter>& counters) const {
-  const SpeCounts counts = spes_->counts();
-  counters.insert(counters.end(), {{"pieces on spes", pieces_},
-                                   {"dma gets", counts.gets},
-                                   {"dma puts", counts.puts},
-                                   {"dma bytes in", counts.bytes_in},
-                                   {"dma bytes out", counts.bytes_out},
-                                   {"local store high water", counts.local_store_high_water}});
+  counters.push_back({"pieces on spes", pieces_});
+  cell::add_counters(cell_statistics_, counters);
 }
 
 }  // namespace cellsweep::cell

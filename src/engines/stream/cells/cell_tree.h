@@ -9,14 +9,16 @@
 #include <span>
 #include <vector>
 
+#include "base/crew.h"
+#include "base/memory/arena.h"
+#include "base/memory/memory.h"
+#include "base/pair_sort.h"
 #include "cellsweep/aabb.h"
+#include "cellsweep/engine/piece_finder.h"
+#include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/grid.h"
-#include "engines/stream/cells/piece_finder.h"
+#include "engines/stream/cells/keys.h"
 #include "engines/stream/kernels/kernel.h"
-#include "engines/stream/memory/arena.h"
-#include "engines/stream/memory/memory.h"
-#include "engines/stream/pairs/pair_list.h"
-#include "engines/stream/pool.h"
 
 namespace cellsweep::stream {
 
@@ -34,19 +36,10 @@ struct Node {
   Cell* cells = nullptr;
 };
 
-/// A body whose box changed: where it was when the pairs were last found and where it is now.
-struct Change {
-  std::uint32_t slot = 0;
-  bool was = false;
-  bool is = false;
-  Aabb old_box{};
-  Aabb new_box{};
-};
-
 /// What one worker writes.
-struct alignas(64) Desk {
+struct alignas(64) Scratch {
   Arena cells;                  // of the tree, kept until the next build
-  Arena scratch;                // of the job at hand
+  Arena job;                    // of the job at hand
   Vector<CellBoxes> collected;  // for a PieceFinder
   Keys found;
   Keys began;
@@ -54,29 +47,31 @@ struct alignas(64) Desk {
   std::uint64_t copies = 0;  // boxes that this worker put into cells
 };
 
-/// Bodies' boxes in space, and the pairs among them.
+/// Bodies' boxes in space, and the pairs among them, as keys of slots.
 ///
 /// The work is cut by the topmost grid: its cells, pieces of some hundred to a thousand boxes, go to
 /// whichever worker is free, and one worker does all that happens inside of one.
 class CellTree {
  public:
   /// `finder` finds the pairs of build(); null for the kernels to do so.
-  CellTree(Pool& pool, const Kernels& kernels, PieceFinder* finder = nullptr);
+  CellTree(Crew& crew, const Kernels& kernels, PieceFinder* finder = nullptr);
 
   /// From now on build() and change() may throw TooManyPairs when they find more than this.
   void limit_pairs(std::size_t most);
 
   /// Makes the tree anew for boxes by slot (NaN where there is no body) and finds all pairs: found().
-  void build(const Boxes& boxes, const BodyId* ids);
+  void build(const Boxes& boxes);
 
   /// Moves, adds and takes out bodies; finds the pairs that began and ended: began(), ended(). A pair may be
   /// in both.
-  void change(std::span<const Change> changes, const BodyId* ids);
+  void change(std::span<const FatBoxChange> changes);
 
-  std::span<Keys* const> found() const { return found_; }
-  std::span<Keys* const> began() const { return began_; }
-  std::span<Keys* const> ended() const { return ended_; }
+  /// Valid until the next build(), began() and ended() until the next change().
+  KeyParts found() const { return found_; }
+  KeyParts began() const { return began_; }
+  KeyParts ended() const { return ended_; }
 
+  const Node& root() const { return root_; }
   /// Cells of the topmost grid.
   std::uint64_t pieces() const { return root_.grid.cells(); }
   /// Boxes put into cells by the last build and since.
@@ -85,13 +80,13 @@ class CellTree {
   std::size_t bytes() const;
 
  private:
-  Pool& pool_;
+  Crew& crew_;
   const Kernels& kernels_;
   PieceFinder* finder_;
-  std::vector<std::unique_ptr<Desk>> desks_;
-  std::vector<Keys*> found_;
-  std::vector<Keys*> began_;
-  std::vector<Keys*> ended_;
+  std::vector<std::unique_ptr<Scratch>> scratches_;
+  std::vector<std::span<const std::uint64_t>> found_;  // by worker
+  std::vector<std::span<const std::uint64_t>> began_;
+  std::vector<std::span<const std::uint64_t>> ended_;
   Node root_;
 };
 

@@ -4,17 +4,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
-#include "cellsweep/aabb.h"
-#include "engines/stream/bodies/box_lanes.h"
+#include "cellsweep/engine/engine.h"
 #include "engines/stream/kernels/kernel.h"
+#include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {
-
-/// The box of a body that is not there: NaN, so that it overlaps nothing.
-inline constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
-inline constexpr Aabb kNobody = {{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, kNowhere}};
 
 /// Boxes to be put into cells: those of a cell that is cut again, or all there are. Of these, a box's place
 /// is its slot, every minimum is inside, and slots without a body have kNobody.

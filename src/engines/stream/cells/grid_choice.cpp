@@ -4,17 +4,17 @@
 #include <cmath>
 #include <functional>
 
+#include "base/tuning.h"
 #include "engines/stream/cells/grid.h"
 
 namespace cellsweep::stream {
 namespace {
 
-constexpr std::size_t kSample = 128;
-/// More cells than this are made in two steps: writing to more places at a time than a cache has lines is
-/// slow.
-constexpr double kMaxCells = 4096;
-/// Boxes of a cell that will be cut again.
-constexpr double kPieceBoxes = 1200;
+using tuning::kCopyCost;
+using tuning::kMaxCells;
+using tuning::kPieceBoxes;
+using tuning::kSample;
+using tuning::kTestCost;
 
 /// What a sample of the boxes tells about one axis.
 struct Axis {
@@ -76,10 +76,6 @@ Sample take_sample(const Boxes& boxes) {
   for (std::size_t axis = 0; axis < 3; ++axis) sample.axes[axis] = measure_axis(minima[axis].data(), taken);
   return sample;
 }
-
-/// Nanoseconds, roughly: to put one copy of a box into a cell, and to compare it with one other.
-constexpr double kCopyCost = 14;
-constexpr double kTestCost = 0.11;
 
 struct Plan {
   std::array<std::uint32_t, 3> dims = {1, 1, 1};

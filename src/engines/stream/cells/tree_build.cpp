@@ -2,16 +2,17 @@
 
 #include <algorithm>
 
+#include "base/tuning.h"
+
 namespace cellsweep::stream {
 namespace {
 
-/// A cell with more boxes is cut again when that pays.
-constexpr std::uint32_t kLargestCell = 160;
-/// Boxes that no cut tells apart are compared all with all from here on.
-constexpr unsigned kDeepest = 24;
+using tuning::kDeepest;
+using tuning::kLargestCell;
 
-/// Turns each worker's counts into the places where it begins to write, and says how much a cell gets in all.
-void add_up(std::uint32_t* counts, unsigned workers, std::uint32_t cells, std::uint32_t* sums) {
+/// Turns each worker's counts into their prefix sums, the places where it begins to write, and says how much
+/// a cell gets in all.
+void prefix_sums(std::uint32_t* counts, unsigned workers, std::uint32_t cells, std::uint32_t* sums) {
   for (std::uint32_t cell = 0; cell < cells; ++cell) {
     std::uint32_t sum = 0;
     for (unsigned worker = 0; worker < workers; ++worker) {
@@ -67,23 +68,23 @@ void TreeBuilder::build(const Boxes& boxes, Node& root) {
   const GridChoice choice = choose_grid(boxes);
   root.grid = choice.pays ? choice.grid : Grid();
   const std::uint32_t cells = root.grid.cells();
-  const unsigned workers = pool_.active();
-  Desk& desk = *desks_[0];
-  auto* counts = desk.scratch.take<std::uint32_t>(std::size_t{workers} * cells);
-  auto* sums = desk.scratch.take<std::uint32_t>(cells);
+  const unsigned workers = crew_.active();
+  Scratch& scratch = *scratches_[0];
+  auto* counts = scratch.job.take<std::uint32_t>(std::size_t{workers} * cells);
+  auto* sums = scratch.job.take<std::uint32_t>(cells);
   std::fill_n(counts, std::size_t{workers} * cells, 0);
   std::vector<std::span<const Copy>> copies(workers);
-  pool_.run([&](unsigned worker) {
+  crew_.run([&](unsigned worker) {
     copies[worker] = list_copies(boxes, Share::of(boxes.count(), worker, workers), root.grid,
-                                 counts + std::size_t{worker} * cells, desks_[worker]->scratch);
+                                 counts + std::size_t{worker} * cells, scratches_[worker]->job);
   });
-  add_up(counts, workers, cells, sums);
-  const CellBoxes* targets = make_targets(sums, cells, desk);
-  root.cells = desk.cells.take<Cell>(cells);
-  pool_.run(
+  prefix_sums(counts, workers, cells, sums);
+  const CellBoxes* targets = make_targets(sums, cells, scratch);
+  root.cells = scratch.cells.take<Cell>(cells);
+  crew_.run(
       [&](unsigned worker) { fill(boxes, copies[worker], targets, counts + std::size_t{worker} * cells); });
-  pool_.for_each(cells, 4, [&](unsigned worker, std::size_t cell) {
-    finish_cell(targets[cell], root.cells[cell], *desks_[worker], 1);
+  crew_.for_each(cells, 4, [&](unsigned worker, std::size_t cell) {
+    finish_cell(targets[cell], root.cells[cell], *scratches_[worker], 1);
   });
 }
 
@@ -138,68 +139,69 @@ void TreeBuilder::fill(const Boxes& boxes, std::span<const Copy> copies, const C
 }
 
 // Where the boxes of each cell are to be put: for good, or for as long as it takes to cut the cell again.
-CellBoxes* TreeBuilder::make_targets(const std::uint32_t* counts, std::uint32_t cells, Desk& desk) const {
-  auto* targets = desk.scratch.take<CellBoxes>(cells);
+CellBoxes* TreeBuilder::make_targets(const std::uint32_t* counts, std::uint32_t cells,
+                                     Scratch& scratch) const {
+  auto* targets = scratch.job.take<CellBoxes>(cells);
   std::size_t crowded = 0;
   for (std::uint32_t i = 0; i < cells; ++i) crowded += counts[i] > kLargestCell ? counts[i] : 0;
-  auto* boxes = desk.scratch.take<TaggedBox>(crowded);
+  auto* boxes = scratch.job.take<TaggedBox>(crowded);
   for (std::uint32_t i = 0; i < cells; ++i) {
     targets[i] = CellBoxes{};
     if (counts[i] > kLargestCell) {
       targets[i].boxes = boxes;
       boxes += counts[i];
     } else if (counts[i] > 0) {
-      targets[i] = new_cell(desk.cells, counts[i], kernels_.lanes);
+      targets[i] = new_cell(scratch.cells, counts[i], kernels_.lanes);
     }
     targets[i].count = counts[i];
-    desk.copies += counts[i];
+    scratch.copies += counts[i];
   }
   return targets;
 }
 
-void TreeBuilder::finish_cell(const CellBoxes& target, Cell& cell, Desk& desk, unsigned depth) const {
-  if (target.count > kLargestCell) return build_inside(target, cell, desk, depth);
+void TreeBuilder::finish_cell(const CellBoxes& target, Cell& cell, Scratch& scratch, unsigned depth) const {
+  if (target.count > kLargestCell) return build_inside(target, cell, scratch, depth);
   cell = Cell{target, nullptr};
-  find_pairs(target, desk);
+  find_pairs(target, scratch);
 }
 
-void TreeBuilder::find_pairs(const CellBoxes& cell, Desk& desk) const {
+void TreeBuilder::find_pairs(const CellBoxes& cell, Scratch& scratch) const {
   if (collects_) {
-    desk.collected.push_back(cell);
+    scratch.collected.push_back(cell);
   } else {
-    kernels_.all_pairs(cell, ids_, desk.found.buffer());
+    kernels_.all_pairs(cell, scratch.found.buffer());
   }
 }
 
-void TreeBuilder::build_inside(const CellBoxes& boxes, Cell& cell, Desk& desk, unsigned depth) const {
+void TreeBuilder::build_inside(const CellBoxes& boxes, Cell& cell, Scratch& scratch, unsigned depth) const {
   const GridChoice choice = depth < kDeepest ? choose_grid(Boxes(boxes)) : GridChoice{};
-  if (!choice.pays) return keep_whole(boxes, cell, desk);
+  if (!choice.pays) return keep_whole(boxes, cell, scratch);
   cell.boxes = CellBoxes{};
-  cell.node = desk.cells.take<Node>(1);
+  cell.node = scratch.cells.take<Node>(1);
   *cell.node = Node{choice.grid, nullptr};
-  split(Boxes(boxes), *cell.node, desk, depth);
+  split(Boxes(boxes), *cell.node, scratch, depth);
 }
 
-void TreeBuilder::split(const Boxes& boxes, Node& node, Desk& desk, unsigned depth) const {
-  const ArenaScope scope(desk.scratch);
+void TreeBuilder::split(const Boxes& boxes, Node& node, Scratch& scratch, unsigned depth) const {
+  const ArenaScope scope(scratch.job);
   const std::uint32_t cells = node.grid.cells();
   const Share all{0, boxes.count()};
-  auto* counts = desk.scratch.take<std::uint32_t>(cells);
+  auto* counts = scratch.job.take<std::uint32_t>(cells);
   std::fill_n(counts, cells, 0);
-  const auto copies = list_copies(boxes, all, node.grid, counts, desk.scratch);
-  desk.copies -= boxes.count();
-  const CellBoxes* targets = make_targets(counts, cells, desk);
+  const auto copies = list_copies(boxes, all, node.grid, counts, scratch.job);
+  scratch.copies -= boxes.count();
+  const CellBoxes* targets = make_targets(counts, cells, scratch);
   std::fill_n(counts, cells, 0);
   fill(boxes, copies, targets, counts);
-  node.cells = desk.cells.take<Cell>(cells);
-  for (std::uint32_t i = 0; i < cells; ++i) finish_cell(targets[i], node.cells[i], desk, depth + 1);
+  node.cells = scratch.cells.take<Cell>(cells);
+  for (std::uint32_t i = 0; i < cells; ++i) finish_cell(targets[i], node.cells[i], scratch, depth + 1);
 }
 
-void TreeBuilder::keep_whole(const CellBoxes& boxes, Cell& cell, Desk& desk) const {
-  cell = Cell{new_cell(desk.cells, boxes.count, kernels_.lanes), nullptr};
+void TreeBuilder::keep_whole(const CellBoxes& boxes, Cell& cell, Scratch& scratch) const {
+  cell = Cell{new_cell(scratch.cells, boxes.count, kernels_.lanes), nullptr};
   cell.boxes.count = boxes.count;
   std::copy_n(boxes.boxes, boxes.count, cell.boxes.boxes);
-  find_pairs(cell.boxes, desk);
+  find_pairs(cell.boxes, scratch);
 }
 
 }  // namespace cellsweep::stream

@@ -14,9 +14,9 @@ namespace cellsweep::stream {
 
 class TreeBuilder {
  public:
-  TreeBuilder(Pool& pool, const Kernels& kernels, std::span<const std::unique_ptr<Desk>> desks,
-              const BodyId* ids, bool collects)
-      : pool_(pool), kernels_(kernels), desks_(desks), ids_(ids), collects_(collects) {}
+  TreeBuilder(Crew& crew, const Kernels& kernels, std::span<const std::unique_ptr<Scratch>> scratches,
+              bool collects)
+      : crew_(crew), kernels_(kernels), scratches_(scratches), collects_(collects) {}
 
   void build(const Boxes& boxes, Node& root);
 
@@ -34,17 +34,16 @@ class TreeBuilder {
                                     Arena& arena) const;
   void fill(const Boxes& boxes, std::span<const Copy> copies, const CellBoxes* targets,
             std::uint32_t* places) const;
-  CellBoxes* make_targets(const std::uint32_t* counts, std::uint32_t cells, Desk& desk) const;
-  void finish_cell(const CellBoxes& target, Cell& cell, Desk& desk, unsigned depth) const;
-  void build_inside(const CellBoxes& boxes, Cell& cell, Desk& desk, unsigned depth) const;
-  void split(const Boxes& boxes, Node& node, Desk& desk, unsigned depth) const;
-  void find_pairs(const CellBoxes& cell, Desk& desk) const;
-  void keep_whole(const CellBoxes& boxes, Cell& cell, Desk& desk) const;
+  CellBoxes* make_targets(const std::uint32_t* counts, std::uint32_t cells, Scratch& scratch) const;
+  void finish_cell(const CellBoxes& target, Cell& cell, Scratch& scratch, unsigned depth) const;
+  void build_inside(const CellBoxes& boxes, Cell& cell, Scratch& scratch, unsigned depth) const;
+  void split(const Boxes& boxes, Node& node, Scratch& scratch, unsigned depth) const;
+  void find_pairs(const CellBoxes& cell, Scratch& scratch) const;
+  void keep_whole(const CellBoxes& boxes, Cell& cell, Scratch& scratch) const;
 
-  Pool& pool_;
+  Crew& crew_;
   const Kernels& kernels_;
-  std::span<const std::unique_ptr<Desk>> desks_;
-  const BodyId* ids_;
+  std::span<const std::unique_ptr<Scratch>> scratches_;
   bool collects_;
 };
 

@@ -20,7 +20,7 @@ void take_out(CellBoxes& cell, std::uint32_t place) {
 
 }  // namespace
 
-TreeChanger::Visit TreeChanger::first_visit(const Change& change, std::size_t index) {
+TreeChanger::Visit TreeChanger::first_visit(const FatBoxChange& change, std::size_t index) {
   constexpr auto kWhole = static_cast<std::uint8_t>(kThere | kWholeFlags);
   return {static_cast<std::uint32_t>(index), change.was ? kWhole : std::uint8_t{0},
           change.is ? kWhole : std::uint8_t{0}};
@@ -30,7 +30,7 @@ TreeChanger::Visit TreeChanger::first_visit(const Change& change, std::size_t in
 // same.
 template <class Emit>
 void TreeChanger::for_each_visit(const Visit& visit, const Grid& grid, Emit&& emit) const {
-  const Change& change = changes_[visit.change];
+  const FatBoxChange& change = changes_[visit.change];
   const auto within = [](std::uint8_t flags, std::uint32_t inner) {
     return flags == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(flags & (kThere | inner));
   };
@@ -51,11 +51,11 @@ void TreeChanger::for_each_visit(const Visit& visit, const Grid& grid, Emit&& em
   });
 }
 
-void TreeChanger::change(std::span<const Change> changes, Node& root) {
+void TreeChanger::change(std::span<const FatBoxChange> changes, Node& root) {
   changes_ = changes;
   const std::uint32_t cells = root.grid.cells();
-  const unsigned workers = pool_.active();
-  Arena& scratch = desks_[0]->scratch;
+  const unsigned workers = crew_.active();
+  Arena& scratch = scratches_[0]->job;
   auto* places = scratch.take<std::uint32_t>(std::size_t{workers} * cells);
   auto* first = scratch.take<std::uint32_t>(std::size_t{cells} + 1);
   std::fill_n(places, std::size_t{workers} * cells, 0);
@@ -65,29 +65,29 @@ void TreeChanger::change(std::span<const Change> changes, Node& root) {
       for_each_visit(first_visit(changes[i], i), root.grid, emit);
     }
   };
-  pool_.run([&](unsigned worker) {
+  crew_.run([&](unsigned worker) {
     std::uint32_t* counts = places + std::size_t{worker} * cells;
     for_share(worker, [&](std::uint32_t cell, const Visit&) { ++counts[cell]; });
   });
-  std::uint32_t sum = 0;
+  std::uint32_t prefix_sum = 0;
   for (std::uint32_t cell = 0; cell < cells; ++cell) {
-    first[cell] = sum;
+    first[cell] = prefix_sum;
     for (unsigned worker = 0; worker < workers; ++worker) {
       std::uint32_t& place = places[std::size_t{worker} * cells + cell];
       const std::uint32_t count = place;
-      place = sum;
-      sum += count;
+      place = prefix_sum;
+      prefix_sum += count;
     }
   }
-  first[cells] = sum;
-  auto* visits = scratch.take<Visit>(sum);
-  pool_.run([&](unsigned worker) {
+  first[cells] = prefix_sum;
+  auto* visits = scratch.take<Visit>(prefix_sum);
+  crew_.run([&](unsigned worker) {
     std::uint32_t* place = places + std::size_t{worker} * cells;
     for_share(worker, [&](std::uint32_t cell, const Visit& visit) { visits[place[cell]++] = visit; });
   });
-  pool_.for_each(cells, 8, [&](unsigned worker, std::size_t cell) {
+  crew_.for_each(cells, 8, [&](unsigned worker, std::size_t cell) {
     const std::span<Visit> here(visits + first[cell], first[cell + 1] - first[cell]);
-    if (!here.empty()) change_cell(here, root.cells[cell], *desks_[worker]);
+    if (!here.empty()) change_cell(here, root.cells[cell], *scratches_[worker]);
   });
 }
 
@@ -104,28 +104,28 @@ std::span<TreeChanger::Visit> TreeChanger::merge(std::span<Visit> visits) {
   return visits.first(kept);
 }
 
-void TreeChanger::change_cell(std::span<Visit> visits, Cell& cell, Desk& desk) const {
+void TreeChanger::change_cell(std::span<Visit> visits, Cell& cell, Scratch& scratch) const {
   const std::span<Visit> merged = merge(visits);
-  const ArenaScope scope(desk.scratch);
-  if (cell.node != nullptr) return change_node(merged, *cell.node, desk);
-  change_boxes(merged, cell.boxes, desk);
+  const ArenaScope scope(scratch.job);
+  if (cell.node != nullptr) return change_node(merged, *cell.node, scratch);
+  change_boxes(merged, cell.boxes, scratch);
 }
 
-void TreeChanger::change_node(std::span<const Visit> visits, Node& node, Desk& desk) const {
+void TreeChanger::change_node(std::span<const Visit> visits, Node& node, Scratch& scratch) const {
   const std::uint32_t cells = node.grid.cells();
-  auto* place = desk.scratch.take<std::uint32_t>(std::size_t{cells} + 1);
+  auto* place = scratch.job.take<std::uint32_t>(std::size_t{cells} + 1);
   std::fill_n(place, std::size_t{cells} + 1, 0);
   for (const Visit& visit : visits) {
     for_each_visit(visit, node.grid, [&](std::uint32_t cell, const Visit&) { ++place[cell + 1]; });
   }
   for (std::uint32_t cell = 0; cell < cells; ++cell) place[cell + 1] += place[cell];
-  auto* inside = desk.scratch.take<Visit>(place[cells]);
+  auto* inside = scratch.job.take<Visit>(place[cells]);
   for (const Visit& visit : visits) {
     for_each_visit(visit, node.grid, [&](std::uint32_t cell, const Visit& v) { inside[place[cell]++] = v; });
   }
   std::uint32_t first = 0;
   for (std::uint32_t cell = 0; cell < cells; ++cell) {
-    if (place[cell] > first) change_cell({inside + first, place[cell] - first}, node.cells[cell], desk);
+    if (place[cell] > first) change_cell({inside + first, place[cell] - first}, node.cells[cell], scratch);
     first = place[cell];
   }
 }
@@ -137,16 +137,16 @@ CellBoxes TreeChanger::copy_with_room(const CellBoxes& cell, std::uint32_t more,
   return copy;
 }
 
-void TreeChanger::change_boxes(std::span<const Visit> visits, CellBoxes& cell, Desk& desk) const {
+void TreeChanger::change_boxes(std::span<const Visit> visits, CellBoxes& cell, Scratch& scratch) const {
   const auto is_new = [](const Visit& visit) { return visit.old_flags == 0; };
   const auto entering = static_cast<std::uint32_t>(std::count_if(visits.begin(), visits.end(), is_new));
-  CellBoxes old = copy_with_room(cell, entering, desk.scratch);
-  if (cell.count + entering > cell.capacity) cell = copy_with_room(cell, entering, desk.cells);
-  desk.copies += entering;
-  auto* changed = desk.scratch.take<std::uint32_t>(visits.size());
+  CellBoxes old = copy_with_room(cell, entering, scratch.job);
+  if (cell.count + entering > cell.capacity) cell = copy_with_room(cell, entering, scratch.cells);
+  scratch.copies += entering;
+  auto* changed = scratch.job.take<std::uint32_t>(visits.size());
   for (std::size_t v = 0; v < visits.size(); ++v) {
     const Visit& visit = visits[v];
-    const Change& change = changes_[visit.change];
+    const FatBoxChange& change = changes_[visit.change];
     const std::uint32_t place = is_new(visit) ? cell.count++ : place_of(cell, change.slot);
     changed[v] = place;
     if (is_new(visit)) old.boxes[place] = {kNobody, change.slot, 0};
@@ -154,11 +154,11 @@ void TreeChanger::change_boxes(std::span<const Visit> visits, CellBoxes& cell, D
                          change.slot | std::uint32_t{visit.new_flags} % kThere << kSlotBits, 0};
   }
   old.count = cell.count;
-  auto* rank = desk.scratch.take<std::uint32_t>(cell.count);
+  auto* rank = scratch.job.take<std::uint32_t>(cell.count);
   std::fill_n(rank, cell.count, ~0U);
   for (std::uint32_t v = 0; v < visits.size(); ++v) rank[changed[v]] = v;
-  kernels_.changed_pairs(old, cell, {changed, visits.size()}, rank, ids_,
-                         {desk.began.buffer(), desk.ended.buffer()});
+  kernels_.changed_pairs(old, cell, {changed, visits.size()}, rank,
+                         {scratch.began.buffer(), scratch.ended.buffer()});
   for (const Visit& visit : visits) {
     if (visit.new_flags == 0) take_out(cell, place_of(cell, changes_[visit.change].slot));
   }

@@ -12,11 +12,10 @@ namespace cellsweep::stream {
 
 class TreeChanger {
  public:
-  TreeChanger(Pool& pool, const Kernels& kernels, std::span<const std::unique_ptr<Desk>> desks,
-              const BodyId* ids)
-      : pool_(pool), kernels_(kernels), desks_(desks), ids_(ids) {}
+  TreeChanger(Crew& crew, const Kernels& kernels, std::span<const std::unique_ptr<Scratch>> scratches)
+      : crew_(crew), kernels_(kernels), scratches_(scratches) {}
 
-  void change(std::span<const Change> changes, Node& root);
+  void change(std::span<const FatBoxChange> changes, Node& root);
 
  private:
   /// A changed body in a cell: in it before, or now, or both, and on which axes it starts there.
@@ -30,18 +29,17 @@ class TreeChanger {
 
   template <class Emit>
   void for_each_visit(const Visit& visit, const Grid& grid, Emit&& emit) const;
-  void change_node(std::span<const Visit> visits, Node& node, Desk& desk) const;
-  void change_cell(std::span<Visit> visits, Cell& cell, Desk& desk) const;
-  void change_boxes(std::span<const Visit> visits, CellBoxes& cell, Desk& desk) const;
+  void change_node(std::span<const Visit> visits, Node& node, Scratch& scratch) const;
+  void change_cell(std::span<Visit> visits, Cell& cell, Scratch& scratch) const;
+  void change_boxes(std::span<const Visit> visits, CellBoxes& cell, Scratch& scratch) const;
   CellBoxes copy_with_room(const CellBoxes& cell, std::uint32_t more, Arena& arena) const;
   static std::span<Visit> merge(std::span<Visit> visits);
-  static Visit first_visit(const Change& change, std::size_t index);
+  static Visit first_visit(const FatBoxChange& change, std::size_t index);
 
-  Pool& pool_;
+  Crew& crew_;
   const Kernels& kernels_;
-  std::span<const std::unique_ptr<Desk>> desks_;
-  const BodyId* ids_;
-  std::span<const Change> changes_;
+  std::span<const std::unique_ptr<Scratch>> scratches_;
+  std::span<const FatBoxChange> changes_;
 };
 
 }  // namespace cellsweep::stream

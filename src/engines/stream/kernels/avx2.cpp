@@ -25,6 +25,6 @@ struct Avx2Lanes {
 
 }  // namespace
 
-const Kernels kAvx2Kernels = make_kernels<Avx2Lanes>(VectorIsa::avx2, "avx2");
+constinit const Kernels kAvx2Kernels = make_kernels<Avx2Lanes>(VectorIsa::avx2, "avx2");
 
 }  // namespace cellsweep::stream

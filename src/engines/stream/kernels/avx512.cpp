@@ -32,6 +32,6 @@ struct Avx512Lanes {
 
 }  // namespace
 
-const Kernels kAvx512Kernels = make_kernels<Avx512Lanes>(VectorIsa::avx512, "avx512");
+constinit const Kernels kAvx512Kernels = make_kernels<Avx512Lanes>(VectorIsa::avx512, "avx512");
 
 }  // namespace cellsweep::stream

@@ -1,10 +1,14 @@
 /// @file
 /// The kernels for any vector: `Lanes` says how wide it is, gathers, broadcasts and compares.
 ///
-/// Everything here has internal linkage and calls nothing of the standard library that is not in the header's
-/// own lines: the linker must not choose a function that was compiled for a larger instruction set.
+/// Whatever kernels call has internal linkage, here and in the other headers of this folder, and nothing of
+/// it is the standard library's. Of an inline function that several source files have, a member of std::array
+/// for example, the linker keeps one copy for the whole program, and must not choose one that was compiled
+/// for a larger instruction set: processors without that would stop there. Optimised builds seldom show it,
+/// because they put most calls in line; tests look at what the object files export.
 #pragma once
 
+#include "engines/stream/kernels/faces.h"
 #include "engines/stream/kernels/kernel.h"
 
 namespace cellsweep::stream {
@@ -18,12 +22,13 @@ class Block {
 
   /// Which of them a box overlaps, a bit each.
   std::uint32_t hits(const Aabb& box) const {
-    auto all = Lanes::less_equal(faces_[0], Lanes::broadcast(&box.max[0]));
-    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(&box.min[0]), faces_[3]));
-    all = Lanes::both(all, Lanes::less_equal(faces_[1], Lanes::broadcast(&box.max[1])));
-    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(&box.min[1]), faces_[4]));
-    all = Lanes::both(all, Lanes::less_equal(faces_[2], Lanes::broadcast(&box.max[2])));
-    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(&box.min[2]), faces_[5]));
+    const float* const face = faces_of(box);
+    auto all = Lanes::less_equal(faces_[0], Lanes::broadcast(face + 3));
+    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(face), faces_[3]));
+    all = Lanes::both(all, Lanes::less_equal(faces_[1], Lanes::broadcast(face + 4)));
+    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(face + 1), faces_[4]));
+    all = Lanes::both(all, Lanes::less_equal(faces_[2], Lanes::broadcast(face + 5)));
+    all = Lanes::both(all, Lanes::less_equal(Lanes::broadcast(face + 2), faces_[5]));
     return Lanes::bits(all);
   }
 
@@ -35,13 +40,9 @@ inline bool owns(std::uint32_t tag, std::uint32_t other) {
   return (tag | other) >> kSlotBits == kWholeFlags;
 }
 
-inline std::uint64_t key_of(std::uint32_t tag, std::uint32_t other, const BodyId* ids) {
-  std::uint64_t a = tag & kSlotMask;
-  std::uint64_t b = other & kSlotMask;
-  if (ids != nullptr) {
-    a = ids[a];
-    b = ids[b];
-  }
+inline std::uint64_t key_of(std::uint32_t tag, std::uint32_t other) {
+  const std::uint64_t a = tag & kSlotMask;
+  const std::uint64_t b = other & kSlotMask;
   return a < b ? a << 32 | b : b << 32 | a;
 }
 
@@ -61,19 +62,19 @@ struct Hits {
 constexpr std::uint32_t kStrip = 128;
 
 inline void add_pairs(const Hits* hits, std::size_t count, const TaggedBox* boxes, std::uint32_t first,
-                      const BodyId* ids, KeyBuffer& found) {
+                      KeyBuffer& found) {
   for (std::size_t h = 0; h < count; ++h) {
     const std::uint32_t tag = boxes[hits[h].place].tag;
     for (std::uint32_t lanes = hits[h].lanes; lanes != 0; lanes &= lanes - 1) {
       const std::uint32_t other = boxes[first + static_cast<unsigned>(__builtin_ctz(lanes))].tag;
-      found.keys[found.size] = key_of(tag, other, ids);
+      found.keys[found.size] = key_of(tag, other);
       found.size += owns(tag, other) ? 1 : 0;
     }
   }
 }
 
 template <class Lanes>
-void all_pairs(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found) {
+void all_pairs(const CellBoxes& cell, KeyBuffer& found) {
   // Copies: what is written to `hits` must not look like a change of these.
   const TaggedBox* const boxes = cell.boxes;
   const std::uint32_t end_of_cell = cell.count;
@@ -91,8 +92,8 @@ void all_pairs(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found) {
         hits[count] = {i, block.hits(boxes[i].box) & there & (~0U << behind)};
         count += hits[count].lanes != 0 ? 1 : 0;
       }
-      found.need(count * Lanes::kCount);
-      add_pairs(hits, count, boxes, first, ids, found);
+      make_room(found, count * Lanes::kCount);
+      add_pairs(hits, count, boxes, first, found);
     }
   }
 }
@@ -101,20 +102,20 @@ void all_pairs(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found) {
 inline void note_change(bool old, bool now, std::uint64_t key, const KeyChanges& changes) {
   if (old == now) return;
   KeyBuffer& buffer = now ? changes.began : changes.ended;
-  buffer.need(1);
+  make_room(buffer, 1);
   buffer.keys[buffer.size++] = key;
 }
 
 template <class Lanes>
-void changed_pairs(const CellBoxes& old, const CellBoxes& now, std::span<const std::uint32_t> changed,
-                   const std::uint32_t* rank, const BodyId* ids, const KeyChanges& changes) {
+void changed_pairs(const CellBoxes& old, const CellBoxes& now, Places changed, const std::uint32_t* rank,
+                   const KeyChanges& changes) {
   for (std::uint32_t first = 0; first < now.count; first += Lanes::kCount) {
     const Block<Lanes> was(old.boxes + first);
     const Block<Lanes> is(now.boxes + first);
     const std::uint32_t there = lanes_below<Lanes>(now.count - first);
-    for (std::size_t c = 0; c < changed.size(); ++c) {
-      const TaggedBox& old_box = old.boxes[changed.data()[c]];
-      const TaggedBox& new_box = now.boxes[changed.data()[c]];
+    for (std::size_t c = 0; c < changed.count; ++c) {
+      const TaggedBox& old_box = old.boxes[changed.places[c]];
+      const TaggedBox& new_box = now.boxes[changed.places[c]];
       const std::uint32_t before = was.hits(old_box.box) & there;
       const std::uint32_t after = is.hits(new_box.box) & there;
       for (std::uint32_t any = before | after; any != 0; any &= any - 1) {
@@ -123,7 +124,7 @@ void changed_pairs(const CellBoxes& old, const CellBoxes& now, std::span<const s
         if (rank[other] <= c) continue;
         note_change((before >> lane & 1) != 0 && owns(old_box.tag, old.boxes[other].tag),
                     (after >> lane & 1) != 0 && owns(new_box.tag, now.boxes[other].tag),
-                    key_of(new_box.tag, now.boxes[other].tag, ids), changes);
+                    key_of(new_box.tag, now.boxes[other].tag), changes);
       }
     }
   }

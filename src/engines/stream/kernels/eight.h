@@ -18,11 +18,11 @@ inline void eight_blocks_in_turn(const Aabb* boxes, std::size_t step, const Grid
                                  EightBlocks& blocks) {
   const std::uint32_t steps[3] = {1, grid.row, grid.plane};
   for (unsigned i = 0; i < 8; ++i) {
-    const Aabb& box = *reinterpret_cast<const Aabb*>(reinterpret_cast<const std::byte*>(boxes) + i * step);
+    const auto* face = reinterpret_cast<const float*>(reinterpret_cast<const std::byte*>(boxes) + i * step);
     std::uint32_t first = 0, second = 0, more = 0, flags = kWholeFlags;
     for (unsigned axis = 0; axis < 3; ++axis) {
-      const std::uint32_t low = cell_on_axis(box.min[axis], grid, axis);
-      const std::uint32_t high = cell_on_axis(box.max[axis], grid, axis);
+      const std::uint32_t low = cell_on_axis(face[axis], grid, axis);
+      const std::uint32_t high = cell_on_axis(face[axis + 3], grid, axis);
       first += low * steps[axis];
       second += high * steps[axis];
       more += high - low;
@@ -30,7 +30,7 @@ inline void eight_blocks_in_turn(const Aabb* boxes, std::size_t step, const Grid
     }
     blocks.first[i] = first | kWholeFlags << kSlotBits;
     blocks.second[i] = second | flags << kSlotBits;
-    blocks.more[i] = box.min[0] <= box.max[0] ? more : EightBlocks::kNobody;
+    blocks.more[i] = face[0] <= face[3] ? more : EightBlocks::kNobody;
   }
 }
 

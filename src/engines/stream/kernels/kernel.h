@@ -5,37 +5,15 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "cellsweep/aabb.h"
-#include "cellsweep/engines.h"
-#include "cellsweep/pair.h"
+#include "cellsweep/engine/cell_boxes.h"
+#include "cellsweep/options.h"
 
 namespace cellsweep::stream {
 
 /// The largest vector of any kernel, in boxes.
 inline constexpr std::uint32_t kMaxLanes = 16;
-
-/// A tag holds a body's slot and, above it, on which axes the body's minimum lies in the cell.
-inline constexpr unsigned kSlotBits = 29;
-inline constexpr std::uint32_t kSlotMask = (1U << kSlotBits) - 1;
-/// All axes.
-inline constexpr std::uint32_t kWholeFlags = 7;
-
-/// A box in a cell. Boxes come into cells in no order: to write one, a single cache line is fetched.
-struct alignas(32) TaggedBox {
-  Aabb box;
-  std::uint32_t tag;
-  std::uint32_t unused;
-};
-
-/// The boxes of one cell. `count` of `capacity` hold something; `capacity` is a multiple of the kernels'
-/// lanes.
-struct CellBoxes {
-  TaggedBox* boxes = nullptr;
-  std::uint32_t count = 0;
-  std::uint32_t capacity = 0;
-};
 
 /// The numbers of a Grid: a coordinate's cell on an axis is (coordinate - origin) * scale, cut off below 0
 /// and above `top`; NaN is 0. A cell's number is x + row * y + plane * z.
@@ -56,30 +34,19 @@ struct alignas(32) EightBlocks {
   std::uint32_t more[8];    ///< cells more on all axes together: 0, 1 and then not two; kNobody for NaN
 };
 
-/// Thrown where more pairs are found than asked for.
-struct TooManyPairs {};
-
-/// Pair keys (pair_key()), growing. The kernels write behind the end and move it.
-struct KeyBuffer {
-  std::uint64_t* keys = nullptr;
-  std::size_t size = 0;
-  std::size_t capacity = 0;
-  std::size_t most = ~std::size_t{0};  // larger than this, it does not grow: TooManyPairs
-  void (*grow)(KeyBuffer& buffer, std::size_t more) = nullptr;
-
-  /// Makes room for `more` keys behind the end.
-  void need(std::size_t more) {
-    if (capacity - size < more) grow(*this, more);
-  }
-};
-
 /// Where to tell what a change of a cell did to pairs.
 struct KeyChanges {
   KeyBuffer& began;
   KeyBuffer& ended;
 };
 
-/// The kernels of one instruction set. Bodies' ids are looked up by slot in `ids`; null when they are equal.
+/// Some of the places of a cell.
+struct Places {
+  const std::uint32_t* places;
+  std::size_t count;
+};
+
+/// The kernels of one instruction set. Keys are those of slots.
 ///
 /// Of the cells that two overlapping boxes share, one owns the pair: that which holds the lower corner of
 /// what they share. It does when on each axis one of the two minima lies in the cell, which the tags tell.
@@ -92,14 +59,14 @@ struct Kernels {
   void (*eight_blocks)(const Aabb* boxes, std::size_t step, const GridNumbers& grid, EightBlocks& blocks);
 
   /// Appends every overlapping pair that the cell owns.
-  void (*all_pairs)(const CellBoxes& cell, const BodyId* ids, KeyBuffer& found);
+  void (*all_pairs)(const CellBoxes& cell, KeyBuffer& found);
 
   /// Appends the pairs with a changed box that the cell owned before and does not now, and the other way
   /// round. `old` and `now` have the same bodies at the same places, with NaN for one that is not there;
   /// `changed` lists the places that differ, each once; `rank` says for each place where in that list it is,
   /// and a larger number for the others.
-  void (*changed_pairs)(const CellBoxes& old, const CellBoxes& now, std::span<const std::uint32_t> changed,
-                        const std::uint32_t* rank, const BodyId* ids, const KeyChanges& changes);
+  void (*changed_pairs)(const CellBoxes& old, const CellBoxes& now, Places changed, const std::uint32_t* rank,
+                        const KeyChanges& changes);
 };
 
 /// The kernels of an instruction set, or of the best one; null when this processor or build does not have it.

@@ -16,9 +16,10 @@ struct PortableLanes {
 
   static void gather(const TaggedBox* boxes, Vector (&faces)[6]) {
     for (unsigned i = 0; i < kCount; ++i) {
+      const float* const from = faces_of(boxes[i].box);
       for (unsigned axis = 0; axis < 3; ++axis) {
-        faces[axis].lane[i] = boxes[i].box.min[axis];
-        faces[axis + 3].lane[i] = boxes[i].box.max[axis];
+        faces[axis].lane[i] = from[axis];
+        faces[axis + 3].lane[i] = from[axis + 3];
       }
     }
   }
@@ -34,6 +35,6 @@ struct PortableLanes {
 
 }  // namespace
 
-const Kernels kPortableKernels = make_kernels<PortableLanes>(VectorIsa::portable, "portable");
+constinit const Kernels kPortableKernels = make_kernels<PortableLanes>(VectorIsa::portable, "portable");
 
 }  // namespace cellsweep::stream

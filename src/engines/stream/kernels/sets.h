@@ -1,5 +1,8 @@
 /// @file
 /// The kernel tables that this build has, each from a source file of its own.
+///
+/// Each is defined constinit: what filled it when the program starts would be compiled for its instruction
+/// set.
 #pragma once
 
 #include "engines/stream/kernels/kernel.h"

@@ -37,6 +37,6 @@ struct Sse41Lanes {
 
 }  // namespace
 
-const Kernels kSse41Kernels = make_kernels<Sse41Lanes>(VectorIsa::sse41, "sse4.1");
+constinit const Kernels kSse41Kernels = make_kernels<Sse41Lanes>(VectorIsa::sse41, "sse4.1");
 
 }  // namespace cellsweep::stream

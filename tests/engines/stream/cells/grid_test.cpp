@@ -1,3 +1,5 @@
+/// @file
+/// Grids: which cells a box reaches into, which of them owns a pair, and how fine a grid is chosen.
 #include "engines/stream/cells/grid.h"
 
 #include <gmock/gmock.h>

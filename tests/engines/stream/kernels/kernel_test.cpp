@@ -16,7 +16,7 @@
 
 #include "contract/random.h"
 #include "engines/stream/cells/grid.h"
-#include "engines/stream/pairs/pair_list.h"
+#include "engines/stream/cells/keys.h"
 
 namespace cellsweep::stream {
 namespace {
@@ -88,23 +88,43 @@ TEST_P(KernelOf, FindsEveryPairThatTheCellOwnsOnce) {
     std::vector<std::uint64_t> expected;
     for (std::uint32_t i = 0; i < count; ++i) {
       for (std::uint32_t j = i + 1; j < count; ++j) {
-        if (is_owned(cell, i, j)) expected.push_back(pair_key({i, j}));
+        if (is_owned(cell, i, j)) expected.push_back(pair_key(SlotPair{i, j}));
       }
     }
     Keys found;
-    kernels_->all_pairs(cell.boxes(), nullptr, found.buffer());
+    kernels_->all_pairs(cell.boxes(), found.buffer());
     ASSERT_EQ(sorted(found), expected) << count << " boxes";
   }
 }
 
-TEST_P(KernelOf, NamesBodiesByTheirIdsTheLowerFirst) {
-  TestCell cell(2);
-  cell.set(0, Aabb{}, 0 | kWholeFlags << kSlotBits);
-  cell.set(1, Aabb{}, 1 | kWholeFlags << kSlotBits);
-  const std::vector<BodyId> ids = {0xfffffff0, 7};
+// Wherever in the cell they stand.
+TEST_P(KernelOf, NamesBodiesByTheirSlotsTheLowerFirst) {
+  for (const auto& [one, other] : {std::pair{kSlotMask, 7U}, {7U, kSlotMask}, {0U, 1U}}) {
+    TestCell cell(2);
+    cell.set(0, Aabb{}, one | kWholeFlags << kSlotBits);
+    cell.set(1, Aabb{}, other | kWholeFlags << kSlotBits);
+    Keys found;
+    kernels_->all_pairs(cell.boxes(), found.buffer());
+    EXPECT_EQ(sorted(found), std::vector<std::uint64_t>{pair_key(make_slot_pair(one, other))});
+    TestCell empty(2);
+    empty.set(0, kNobody, one | kWholeFlags << kSlotBits);
+    empty.set(1, kNobody, other | kWholeFlags << kSlotBits);
+    const std::uint32_t changed[] = {0, 1};
+    Keys began;
+    Keys ended;
+    kernels_->changed_pairs(empty.boxes(), cell.boxes(), {changed, 2}, changed,
+                            {began.buffer(), ended.buffer()});
+    EXPECT_EQ(sorted(began), sorted(found));
+    EXPECT_TRUE(ended.view().empty());
+  }
+}
+
+TEST_P(KernelOf, StopsWhereThereAreMorePairsThanThereMayBe) {
+  TestCell cell(400);
+  for (std::uint32_t i = 0; i < 400; ++i) cell.set(i, Aabb{}, i | kWholeFlags << kSlotBits);
   Keys found;
-  kernels_->all_pairs(cell.boxes(), ids.data(), found.buffer());
-  EXPECT_EQ(sorted(found), std::vector<std::uint64_t>{pair_key({7, 0xfffffff0})});
+  found.buffer().most = 1000;
+  EXPECT_THROW(kernels_->all_pairs(cell.boxes(), found.buffer()), TooManyPairs);
 }
 
 TEST_P(KernelOf, FindsWhichPairsBeganAndEnded) {
@@ -124,13 +144,13 @@ TEST_P(KernelOf, FindsWhichPairsBeganAndEnded) {
     std::vector<std::uint64_t> ended;
     for (std::uint32_t i = 0; i < count; ++i) {
       for (std::uint32_t j = i + 1; j < count; ++j) {
-        if (is_owned(now, i, j) && !is_owned(old, i, j)) began.push_back(pair_key({i, j}));
-        if (!is_owned(now, i, j) && is_owned(old, i, j)) ended.push_back(pair_key({i, j}));
+        if (is_owned(now, i, j) && !is_owned(old, i, j)) began.push_back(pair_key(SlotPair{i, j}));
+        if (!is_owned(now, i, j) && is_owned(old, i, j)) ended.push_back(pair_key(SlotPair{i, j}));
       }
     }
     Keys began_keys;
     Keys ended_keys;
-    kernels_->changed_pairs(old.boxes(), now.boxes(), changed, rank.data(), nullptr,
+    kernels_->changed_pairs(old.boxes(), now.boxes(), {changed.data(), changed.size()}, rank.data(),
                             {began_keys.buffer(), ended_keys.buffer()});
     ASSERT_EQ(sorted(began_keys), began) << count << " boxes";
     ASSERT_EQ(sorted(ended_keys), ended) << count << " boxes";

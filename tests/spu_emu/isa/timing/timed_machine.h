@@ -4,7 +4,7 @@
 
 #include <initializer_list>
 
-#include "../test_machine.h"
+#include "../core/test_machine.h"
 #include "isa/timing/cycle_model.h"
 
 namespace spu_emu::isa {
@@ -12,7 +12,7 @@ namespace spu_emu::isa {
 class TimedMachine : public TestMachine {
  public:
   explicit TimedMachine(const CycleParameters& parameters = {}) : model(parameters, local->bytes.data()) {
-    machine.set_cycle_model(model);
+    machine.set_observer(model);
   }
 
   /// Runs a program from address 0 to its stop, and counts its cycles, the stop's among them.

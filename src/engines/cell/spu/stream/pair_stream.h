@@ -28,7 +28,7 @@ class PairStream {
 
   /// Sends what there is, and waits until the other chunk is free again.
   void flush() {
-    if (count_ % 2 != 0) add(kNoSlot, kNoSlot);
+    if (count_ % 2 != 0) add(kNoStreamPair, kNoStreamPair);
     put_all(chunk(), ea_ + 8ULL * sent_, 8 * count_, first_tag_ + turn_);
     sent_ += count_;
     count_ = 0;

@@ -1,0 +1,88 @@
+/// @file
+/// What an engine is, for those who write one: boxes by slot and what changed go in, pairs of slots come out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "cellsweep/aabb.h"
+#include "cellsweep/broadphase.h"
+#include "cellsweep/engine/slots.h"
+#include "cellsweep/export.h"
+#include "cellsweep/status.h"
+
+namespace cellsweep {
+
+/// A body that had another box, or was there, at the last update.
+struct ChangedBody {
+  Aabb before;
+  Slot slot = kNoSlot;
+};
+
+/// What happened since the last update that succeeded. A slot is in one list at most, and there once.
+struct BodyChanges {
+  std::span<const Aabb> boxes;           ///< as they are now, by slot; kNobody where nobody is
+  std::span<const ChangedBody> removed;  ///< the slot is given to nobody else before the next update
+  std::span<const ChangedBody> moved;    ///< the box may be the one before again
+  std::span<const Slot> inserted;
+  std::size_t bodies = 0;  ///< held now
+
+  bool none() const { return removed.empty() && moved.empty() && inserted.empty(); }
+};
+
+/// What an engine found. The memory is the engine's until its next update.
+struct FoundPairs {
+  /// Ascending. Those of bodies that are gone are among `ended`.
+  std::span<const SlotPair> began{};
+  std::span<const SlotPair> ended{};
+  /// More that began, as pair_key(), in any order.
+  std::span<const std::span<const std::uint64_t>> more_began{};
+  /// Everything is in `began` and `more_began`: all pairs that there are now, whatever was before.
+  bool is_whole_set = false;
+
+  bool none() const { return began.empty() && ended.empty() && more_began.empty() && !is_whole_set; }
+};
+
+/// An engine behind a Broadphase, which owns the boxes, knows the ids, checks the input and keeps the pairs.
+/// One thread at a time.
+///
+/// An engine whose update() failed or threw is thrown away: the next update makes a new one and inserts all
+/// bodies into it. So an engine need not repair itself.
+class CELLSWEEP_API Engine {
+ public:
+  virtual ~Engine();
+
+  /// Always the same.
+  virtual Capacity capacity() const = 0;
+
+  /// Finds the pairs as they are with these changes. Fills the phases and counters of `statistics` and adds
+  /// to its bytes.
+  virtual Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) = 0;
+};
+
+/// Makes an engine, again after one has failed. Errors become those of make_broadphase() and update().
+using EngineMaker = std::function<Result<std::unique_ptr<Engine>>()>;
+
+struct HandleParts;
+
+/// How a Broadphase gets its engine, and how an engine's own functions get at it again.
+struct CELLSWEEP_API EngineAccess {
+  /// `name` is a literal. A `trace` file that is not empty gets a row `row_name` of its calls and phases.
+  static Result<Broadphase> make(std::string_view name, EngineMaker maker, const std::string& trace = {},
+                                 std::string row_name = {});
+
+  /// The same for engines of this library, which share threads with their Broadphase.
+  static Result<Broadphase> make(HandleParts parts);
+
+  static Engine& engine_of(Broadphase& broadphase);
+  static const Engine& engine_of(const Broadphase& broadphase);
+
+  /// By slot, as of the last update.
+  static std::span<const Aabb> boxes_of(const Broadphase& broadphase);
+};
+
+}  // namespace cellsweep

@@ -1,0 +1,38 @@
+/// @file
+/// What a broadphase measured and counted.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace cellsweep {
+
+enum class PhaseKind {
+  work,   ///< of the frame, on the host
+  setup,  ///< done once per body ever inserted; reports show it apart from the frame (the pair map, X1)
+  spes    ///< of the frame, while the SPEs of a Cell engine work
+};
+
+/// The time that one step of the last update() took.
+struct Phase {
+  std::string_view name;
+  double milliseconds = 0;
+  PhaseKind kind = PhaseKind::work;
+};
+
+/// A number that an engine counts, over its whole life unless the name says otherwise. For people to read.
+struct Counter {
+  std::string_view name;
+  std::uint64_t value = 0;
+};
+
+/// Names are stable within an engine.
+struct Statistics {
+  std::uint64_t updates = 0;    ///< that succeeded
+  std::uint64_t bytes = 0;      ///< of memory held, nearly
+  std::vector<Phase> phases{};  ///< of the last update(), in the order they ran
+  std::vector<Counter> counters{};
+};
+
+}  // namespace cellsweep

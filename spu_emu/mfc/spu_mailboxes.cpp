@@ -1,0 +1,97 @@
+// The mailboxes and signal registers of SpuChannels, from the SPU's side and from the other one.
+#include "mfc/spu_channels.h"
+#include "spu_emu/channel_numbers.h"
+
+namespace spu_emu {
+
+std::uint32_t SpuChannels::read_in_mailbox() {
+  queue_.land_stores();
+  std::uint32_t message = 0;
+  if (!in_.try_read(message)) {
+    const WaitSpan span(log_, "read in mailbox");
+    counters_.mailbox_waits.add(1);
+    changed_.wait([&] { return in_.try_read(message); });
+  }
+  changed_.notify();
+  return message;
+}
+
+void SpuChannels::write_out(Mailbox& mailbox, std::uint32_t value, const char* what) {
+  queue_.land_stores();
+  if (!mailbox.try_write(value)) {
+    const WaitSpan span(log_, what);
+    counters_.mailbox_waits.add(1);
+    changed_.wait([&] { return mailbox.try_write(value); });
+  }
+  changed_.notify();
+}
+
+std::uint32_t SpuChannels::read_signal(unsigned index) {
+  queue_.land_stores();
+  std::uint32_t value = 0;
+  if (!signals_[index].try_read(value)) {
+    const WaitSpan span(log_, index == 0 ? "read signal 1" : "read signal 2");
+    counters_.signal_waits.add(1);
+    changed_.wait([&] { return signals_[index].try_read(value); });
+  }
+  return value;
+}
+
+unsigned SpuChannels::write_in_mailbox(const std::uint32_t* messages, unsigned count) {
+  unsigned written = 0;
+  while (written < count && in_.try_write(messages[written])) ++written;
+  if (written != 0) events_.raise(MFC_IN_MBOX_AVAILABLE_EVENT);
+  return written;
+}
+
+unsigned SpuChannels::read_mailbox(Mailbox& mailbox, std::uint32_t event, std::uint32_t* messages,
+                                   unsigned count) {
+  unsigned done = 0;
+  while (done < count && mailbox.try_read(messages[done])) ++done;
+  if (done != 0) events_.raise(event);
+  return done;
+}
+
+unsigned SpuChannels::read_out_mailbox(std::uint32_t* messages, unsigned count) {
+  return read_mailbox(out_, MFC_OUT_MBOX_AVAILABLE_EVENT, messages, count);
+}
+
+unsigned SpuChannels::read_out_interrupt_mailbox(std::uint32_t* messages, unsigned count) {
+  return read_mailbox(out_interrupt_, MFC_OUT_INTR_MBOX_AVAILABLE_EVENT, messages, count);
+}
+
+void SpuChannels::signal(unsigned index, std::uint32_t value) {
+  signals_[index].write(value);
+  events_.raise(index == 0 ? MFC_SIGNAL_NOTIFY_1_EVENT : MFC_SIGNAL_NOTIFY_2_EVENT);
+}
+
+bool SpuChannels::write_register(std::uint32_t offset, std::uint32_t value) {
+  switch (offset) {
+    case kSignal1Area + 0xc:
+      signal(0, value);
+      return true;
+    case kSignal2Area + 0xc:
+      signal(1, value);
+      return true;
+    case kControlArea + 0xc:
+      in_.write_over(value);
+      events_.raise(MFC_IN_MBOX_AVAILABLE_EVENT);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool SpuChannels::read_register(std::uint32_t offset, std::uint32_t& value) {
+  switch (offset) {
+    case kControlArea + 0x4:
+      return read_out_mailbox(&value, 1) == 1;
+    case kControlArea + 0x14:
+      value = (out_interrupt_.count() << 16U) | (in_.space() << 8U) | out_.count();
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace spu_emu

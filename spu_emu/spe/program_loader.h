@@ -1,0 +1,30 @@
+/// @file
+/// How a program image becomes a program of an SPE: the engines have loaders, and who knows the engines
+/// chooses.
+#ifndef SPU_EMU_SPE_PROGRAM_LOADER_H
+#define SPU_EMU_SPE_PROGRAM_LOADER_H
+
+#include <libspe2-types.h>
+
+#include <memory>
+#include <string>
+
+#include "spe/program.h"
+
+namespace spu_emu {
+
+class Spe;
+
+/// What came of loading: a program, or an errno value and the reason.
+struct LoadResult {
+  std::unique_ptr<Program> program;
+  int error = 0;
+  std::string reason;
+};
+
+/// Loads the image of `handle`. The program refers to `spe`, which outlives it. Throws std::bad_alloc.
+using ProgramLoader = LoadResult (*)(Spe& spe, const spe_program_handle_t& handle);
+
+}  // namespace spu_emu
+
+#endif

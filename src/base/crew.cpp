@@ -1,0 +1,68 @@
+#include "base/crew.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "base/tuning.h"
+
+namespace cellsweep {
+
+Crew::Crew(std::shared_ptr<Executor> executor, unsigned workers, Choice choice)
+    : executor_(std::move(executor)), workers_(workers), active_(workers), choice_(choice) {}
+
+void Crew::use(unsigned workers) {
+  active_ = std::clamp(workers, 1U, workers_);
+}
+
+// Workers are woken for the first time when they would have saved by now what starting threads costs.
+void Crew::plan(std::size_t items, double seconds_of_item) {
+  if (choice_ == Choice::given) return use(items / tuning::kLeastItems >= workers_ ? workers_ : 1);
+  const double seconds_of_one = static_cast<double>(items) * seconds_of_item;
+  use(1);
+  if (seconds_of_one < tuning::kTooSmall || workers_ == 1) return;
+  const double saved = seconds_of_one * (1 - 1.0 / workers_);
+  missed_ += saved;
+  if (missed_ < tuning::kStartCost) return;
+  if (saved > 2 * tuning::kJobs * seconds_to_dispatch()) use(workers_);
+}
+
+// What a task throws must not pass through an executor that is not ours.
+void Crew::run_all(Call call, const void* context) {
+  struct Job {
+    Crew* crew;
+    Call call;
+    const void* context;
+  } job{this, call, context};
+  const auto task = [](void* of, unsigned worker) {
+    const auto& [crew, call_now, with] = *static_cast<Job*>(of);
+    try {
+      call_now(with, worker);
+    } catch (...) {
+      const std::lock_guard lock(crew->error_mutex_);
+      crew->error_ = std::current_exception();
+    }
+  };
+  executor_->run(active_, task, &job);
+  if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+}
+
+// The quickest of a few: one that the system delayed would keep the workers from ever being used.
+double Crew::seconds_to_dispatch() {
+  if (dispatch_ >= 0) return dispatch_;
+  using Clock = std::chrono::steady_clock;
+  const unsigned before = active_;
+  use(workers_);
+  run([](unsigned) {});
+  double quickest = 1;
+  for (int i = 0; i < tuning::kDispatches; ++i) {
+    const Clock::time_point start = Clock::now();
+    run([](unsigned) {});
+    quickest = std::min(quickest, std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  dispatch_ = quickest;
+  use(before);
+  return dispatch_;
+}
+
+}  // namespace cellsweep

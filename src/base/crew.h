@@ -1,0 +1,89 @@
+/// @file
+/// An executor as the engines use it: workers with numbers, jobs as lambdas, and how many of them pay.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <mutex>
+
+#include "cellsweep/executor.h"
+
+namespace cellsweep {
+
+/// Workers 0 ... active() - 1, the calling thread one of them. One caller at a time.
+class Crew {
+ public:
+  /// How the number of workers is found.
+  enum class Choice {
+    given,    ///< all of them, as soon as each has a little to do
+    by_gain,  ///< all of them when they save several times what waking them takes; else the caller alone
+  };
+
+  Crew(std::shared_ptr<Executor> executor, unsigned workers, Choice choice);
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+  /// The most workers there can be.
+  unsigned workers() const { return workers_; }
+
+  /// The workers that the next jobs are run by, 1 to workers().
+  unsigned active() const { return active_; }
+  void use(unsigned workers);
+
+  /// Chooses the active workers for so many items of work, each of so many seconds on one thread.
+  void plan(std::size_t items, double seconds_of_item);
+
+  /// Calls `job(worker)` once for each active worker and returns when all have returned. Throws what a job
+  /// threw, one of them.
+  template <class Job>
+  void run(const Job& job) {
+    if (active_ == 1) return job(0U);
+    run_all([](const void* context, unsigned worker) { (*static_cast<const Job*>(context))(worker); }, &job);
+  }
+
+  /// Calls `job(worker, index)` for every index below `count`, in chunks that workers take as they get to it.
+  template <class Job>
+  void for_each(std::size_t count, std::size_t chunk, const Job& job) {
+    if (active_ == 1) {
+      for (std::size_t index = 0; index < count; ++index) job(0U, index);
+      return;
+    }
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&](unsigned worker) {
+      for (std::size_t first = next.fetch_add(chunk); first < count; first = next.fetch_add(chunk)) {
+        const std::size_t last = first + chunk < count ? first + chunk : count;
+        for (std::size_t index = first; index < last; ++index) job(worker, index);
+      }
+    };
+    run(work);
+  }
+
+ private:
+  using Call = void (*)(const void*, unsigned);
+
+  void run_all(Call call, const void* context);
+  double seconds_to_dispatch();
+
+  std::shared_ptr<Executor> executor_;
+  unsigned workers_;
+  unsigned active_;
+  Choice choice_;
+  double missed_ = 0;     // seconds that workers would have saved, had there been any
+  double dispatch_ = -1;  // seconds that handing an empty job to all takes, once measured
+  std::mutex error_mutex_;
+  std::exception_ptr error_;
+};
+
+/// The part of 0 ... count - 1 that belongs to one of `workers`, by place.
+struct Share {
+  std::size_t first = 0;
+  std::size_t last = 0;
+
+  static Share of(std::size_t count, unsigned worker, unsigned workers) {
+    return {count * worker / workers, count * (worker + 1) / workers};
+  }
+};
+
+}  // namespace cellsweep

@@ -1,0 +1,7 @@
+#include "cellsweep/executor.h"
+
+namespace cellsweep {
+
+Executor::~Executor() = default;
+
+}  // namespace cellsweep

@@ -1,0 +1,65 @@
+#include "base/memory/arena.h"
+
+#include <algorithm>
+
+namespace cellsweep {
+namespace {
+
+constexpr std::size_t kAlignment = 64;
+constexpr std::size_t kFirstChunk = std::size_t{64} << 10;
+constexpr std::size_t kLargestStep = std::size_t{8} << 20;
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
+
+std::size_t round_up(std::size_t bytes, std::size_t unit) {
+  return (bytes + unit - 1) / unit * unit;
+}
+
+}  // namespace
+
+void* Arena::take_bytes(std::size_t bytes) {
+  bytes = round_up(bytes, kAlignment);
+  if (current_ < chunks_.size() && used_ + bytes <= chunks_[current_].size) {
+    std::byte* place = chunks_[current_].memory.get() + used_;
+    used_ += bytes;
+    return place;
+  }
+  return take_from_next_chunk(bytes);
+}
+
+// When memory fails, the current chunk stays the current one.
+void* Arena::take_from_next_chunk(std::size_t bytes) {
+  const std::size_t next = chunks_.empty() ? 0 : current_ + 1;
+  // A chunk that is too small is replaced: nothing behind the current one is handed out.
+  if (next < chunks_.size() && chunks_[next].size < bytes) {
+    for (std::size_t i = next; i < chunks_.size(); ++i) bytes_ -= chunks_[i].size;
+    chunks_.resize(next);
+  }
+  if (next == chunks_.size()) {
+    std::size_t size = std::max(bytes, std::clamp(bytes_, kFirstChunk, kLargestStep));
+    size = round_up(size, size >= kHugePage ? kHugePage : kAlignment);
+    chunks_.push_back({Memory<std::byte>(take_memory(size)), size});
+    bytes_ += size;
+  }
+  current_ = next;
+  used_ = bytes;
+  return chunks_[current_].memory.get();
+}
+
+void Arena::release(Mark mark) {
+  current_ = mark.chunk;
+  used_ = mark.used;
+}
+
+void Arena::reset(std::size_t most) {
+  std::size_t keep = 0;
+  std::size_t kept = 0;
+  while (keep < chunks_.size() && keep <= current_ && kept + chunks_[keep].size <= most + kFirstChunk) {
+    kept += chunks_[keep++].size;
+  }
+  chunks_.resize(keep);
+  bytes_ = kept;
+  current_ = 0;
+  used_ = 0;
+}
+
+}  // namespace cellsweep

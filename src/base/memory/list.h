@@ -1,0 +1,50 @@
+/// @file
+/// A growing list of a trivial type whose elements nobody initialises before they are written.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+
+#include "base/memory/memory.h"
+
+namespace cellsweep {
+
+/// Throws std::bad_alloc where it grows, and is then as it was.
+template <class T>
+class List {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  /// Room for so many elements in all; a list that grows a little at a time seldom moves.
+  void reserve(std::size_t size) {
+    if (size <= capacity_) return;
+    const std::size_t wanted = std::max(size, capacity_ + capacity_ / 2);
+    auto* larger = grow_memory(reinterpret_cast<std::byte*>(memory_.get()), wanted * sizeof(T));
+    static_cast<void>(memory_.release());
+    memory_.reset(reinterpret_cast<T*>(larger));
+    capacity_ = wanted;
+  }
+  /// Within what was reserved; elements that are new hold anything.
+  void set_size(std::size_t size) { size_ = size; }
+  /// One more, for which there is room.
+  void push(const T& element) { memory_.get()[size_++] = element; }
+  void clear() { size_ = 0; }
+
+  T* data() { return memory_.get(); }
+  T& operator[](std::size_t place) { return memory_.get()[place]; }
+  const T& operator[](std::size_t place) const { return memory_.get()[place]; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  std::size_t bytes() const { return capacity_ * sizeof(T); }
+  std::span<T> view() { return {memory_.get(), size_}; }
+  std::span<const T> view() const { return {memory_.get(), size_}; }
+
+ private:
+  Memory<T> memory_;
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+}  // namespace cellsweep

@@ -1,0 +1,64 @@
+#include "base/memory/memory.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace cellsweep {
+namespace {
+
+constexpr std::size_t kAlignment = 64;
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
+/// Larger blocks took longer with huge pages than without, by measurement.
+constexpr std::size_t kMostWithHugePages = std::size_t{32} << 20;
+
+std::atomic<std::uint64_t> fails_in = 0;
+
+bool must_fail() {
+  return fails_in.load(std::memory_order_relaxed) != 0 && fails_in.fetch_sub(1) == 1;
+}
+
+// The system takes whole pages only.
+void ask_for_huge_pages([[maybe_unused]] std::byte* memory, [[maybe_unused]] std::size_t size) {
+#ifdef __linux__
+  if (size < kHugePage || size > kMostWithHugePages) return;
+  const std::size_t before = -reinterpret_cast<std::uintptr_t>(memory) % kHugePage;
+  if (before < size) madvise(memory + before, (size - before) / kHugePage * kHugePage, MADV_HUGEPAGE);
+#endif
+}
+
+}  // namespace
+
+std::byte* take_memory(std::size_t bytes) {
+  if (must_fail()) throw std::bad_alloc();
+  const std::size_t alignment = bytes >= kHugePage ? kHugePage : kAlignment;
+  const std::size_t size = std::max((bytes + alignment - 1) / alignment, std::size_t{1}) * alignment;
+  auto* memory = static_cast<std::byte*>(std::aligned_alloc(alignment, size < bytes ? bytes : size));
+  if (memory == nullptr) throw std::bad_alloc();
+  ask_for_huge_pages(memory, size);
+  return memory;
+}
+
+std::byte* grow_memory(std::byte* memory, std::size_t bytes) {
+  if (memory == nullptr) return take_memory(bytes);
+  if (must_fail()) throw std::bad_alloc();
+  auto* larger = static_cast<std::byte*>(std::realloc(memory, bytes));
+  if (larger == nullptr) throw std::bad_alloc();
+  ask_for_huge_pages(larger, bytes);
+  return larger;
+}
+
+void give_memory(void* memory) {
+  std::free(memory);
+}
+
+void let_memory_fail(std::uint64_t n) {
+  fails_in = n;
+}
+
+}  // namespace cellsweep

@@ -1,0 +1,23 @@
+/// @file
+/// Sorts pair keys by distribution: the first body's number chooses the place, few comparisons are left.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/crew.h"
+#include "base/memory/array.h"
+#include "cellsweep/engine/engine.h"
+#include "cellsweep/pair.h"
+
+namespace cellsweep {
+
+/// Keys of pairs, the first body's number above the second's, as several workers found them.
+using KeyParts = std::span<const std::span<const std::uint64_t>>;
+
+/// Writes all keys, which differ, to `sorted` in ascending order. `AnyPair` is Pair or SlotPair. `scratch` is
+/// working memory.
+template <class AnyPair>
+void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array<AnyPair>& sorted);
+
+}  // namespace cellsweep

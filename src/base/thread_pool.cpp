@@ -1,0 +1,99 @@
+#include "base/thread_pool.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace cellsweep {
+namespace {
+
+/// Looks at an atomic this often before the operating system is asked to wait: some ten microseconds.
+constexpr int kSpins = 1000;
+
+void relax() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
+}
+
+/// With more workers than cores, a thread that spins keeps another from working.
+int spins_for(unsigned workers) {
+  return workers <= machine_threads() ? kSpins : 0;
+}
+
+void wait_while(const std::atomic<std::uint32_t>& value, std::uint32_t old, int spins) {
+  for (int spin = 0; spin < spins; ++spin) {
+    if (value.load(std::memory_order_acquire) != old) return;
+    relax();
+  }
+  value.wait(old, std::memory_order_acquire);
+}
+
+}  // namespace
+
+// The system takes microseconds to tell, which is as long as a small broadphase takes to make.
+unsigned machine_threads() {
+  static const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  return threads;
+}
+
+ThreadPool::ThreadPool(unsigned concurrency)
+    : concurrency_(std::max(1U, concurrency)), spins_(concurrency_ > 1 ? spins_for(concurrency_) : 0) {}
+
+ThreadPool::~ThreadPool() {
+  stop_ = true;
+  job_.fetch_add(1, std::memory_order_release);
+  job_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void ThreadPool::start_threads() {
+  if (no_more_ || threads_.size() + 1 == concurrency_) return;
+  threads_.reserve(concurrency_ - 1);
+  try {
+    while (threads_.size() + 1 < concurrency_) {
+      const auto index = static_cast<unsigned>(threads_.size() + 1);
+      threads_.emplace_back([this, index] { work(index); });
+    }
+  } catch (const std::system_error&) {
+    no_more_ = true;
+  }
+}
+
+void ThreadPool::work(unsigned index) {
+  std::uint32_t seen = 0;
+  for (;;) {
+    wait_while(job_, seen, spins_);
+    const std::uint32_t now = job_.load(std::memory_order_acquire);
+    if (now == seen) continue;
+    seen = now;
+    if (stop_) return;
+    if (index < count_) task_(context_, index);
+    if (running_.fetch_sub(1, std::memory_order_acq_rel) == 1) running_.notify_one();
+  }
+}
+
+void ThreadPool::run(unsigned count, Task task, void* context) {
+  if (count > 1) start_threads();
+  const auto others = static_cast<unsigned>(threads_.size());
+  if (count > 1 && others > 0) {
+    count_ = count;
+    task_ = task;
+    context_ = context;
+    running_.store(others, std::memory_order_relaxed);
+    job_.fetch_add(1, std::memory_order_release);
+    job_.notify_all();
+  }
+  if (count > 0) task(context, 0);
+  for (unsigned index = others + 1; index < count; ++index) task(context, index);
+  if (count > 1 && others > 0) wait_for_others();
+}
+
+void ThreadPool::wait_for_others() {
+  for (;;) {
+    const std::uint32_t left = running_.load(std::memory_order_acquire);
+    if (left == 0) return;
+    wait_while(running_, left, spins_);
+  }
+}
+
+}  // namespace cellsweep

@@ -1,0 +1,48 @@
+/// @file
+/// The library's own executor: threads that wait for work without sleeping at first, so that a frame does not
+/// pay for waking them.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+#include "cellsweep/executor.h"
+
+namespace cellsweep {
+
+/// The processors of this machine that the program may use; asked for once.
+unsigned machine_threads();
+
+/// Threads start when they are first needed; where the system does not give as many, the calling thread does
+/// what they would have done. One caller at a time.
+class ThreadPool final : public Executor {
+ public:
+  /// `concurrency` counts the caller: 1 never starts a thread.
+  explicit ThreadPool(unsigned concurrency);
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+  ~ThreadPool() override;
+
+  unsigned concurrency() const override { return concurrency_; }
+  void run(unsigned count, Task task, void* context) override;
+
+ private:
+  void start_threads();
+  void work(unsigned index);
+  void wait_for_others();
+
+  unsigned concurrency_;
+  int spins_;
+  bool no_more_ = false;  // threads to be had
+  bool stop_ = false;
+  std::vector<std::thread> threads_;
+  unsigned count_ = 0;
+  Task task_ = nullptr;
+  void* context_ = nullptr;
+  alignas(64) std::atomic<std::uint32_t> job_ = 0;      // counts jobs; threads wait for it to change
+  alignas(64) std::atomic<std::uint32_t> running_ = 0;  // threads that have not finished the job
+};
+
+}  // namespace cellsweep

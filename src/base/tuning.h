@@ -1,0 +1,111 @@
+/// @file
+/// Every number that was chosen by measurement, with what it was measured on. `./run bench tuning` measures
+/// them anew. None of them changes a result.
+///
+/// "EPYC" below is two cores of an AMD EPYC with AVX2, GCC 12, release build; scenes and suites are those of
+/// bench/.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace cellsweep::tuning {
+
+// --- threads -----------------------------------------------------------------------------------------------
+
+/// More threads than this were never measured; left to itself, `stream` takes no more.
+inline constexpr unsigned kMostWorkers = 16;
+/// Not even when asked for does a worker get less to do than this.
+inline constexpr std::size_t kLeastItems = 16;
+/// Work worth less than this on one thread, in seconds, is not worth asking what a dispatch takes. EPYC,
+/// threads/.
+inline constexpr double kTooSmall = 100e-6;
+/// What starting threads takes, roughly, until they have done their first job. EPYC, threads/.
+inline constexpr double kStartCost = 300e-6;
+/// A frame has about so many jobs for the workers.
+inline constexpr double kJobs = 8;
+/// Dispatches of an empty job of which the quickest counts.
+inline constexpr int kDispatches = 3;
+
+// --- seconds of one body or pair on one thread: first guesses, which every update corrects
+// --------------------
+
+inline constexpr double kMoveGuess = 4e-9;       ///< to check and remember a move. EPYC, uniform 100,000
+inline constexpr double kFullGuess = 50e-9;      ///< to find everything anew. EPYC, uniform 10,000, initial
+inline constexpr double kPartialGuess = 200e-9;  ///< to look at one changed fat box. EPYC, uniform 10,000
+inline constexpr double kTestGuess = 4e-9;       ///< to test a candidate. EPYC, uniform 100,000, all moving
+
+/// The share of changed fat boxes at which everything is found anew lies between these, whatever was
+/// measured. EPYC, all scenes, 1 to 100 % moving.
+inline constexpr double kLeastShare = 0.1;
+inline constexpr double kMostShare = 0.5;
+
+// --- fat boxes
+// ------------------------------------------------------------------------------------------------
+
+/// Updates that a fat box is made for when all are made anew, and at most when one is. Bodies that keep their
+/// course leave their fat boxes all at once in the one case, which is when starting anew pays, and a share of
+/// them each time in the other. EPYC, all scenes, all moving.
+inline constexpr std::uint32_t kAllAhead = 8;
+inline constexpr std::uint32_t kOneAhead = 12;
+inline constexpr std::uint32_t kOneAheadAtLeast = 4;
+/// How much of its own length a box may grow on an axis.
+inline constexpr float kMostGrowth = 0.5F;
+
+// --- cells
+// ----------------------------------------------------------------------------------------------------
+
+/// Nanoseconds, roughly: to put one copy of a box into a cell, and to compare it with one other. EPYC, AVX2,
+/// uniform and clustered, 1,000 to 1,000,000.
+inline constexpr double kCopyCost = 14;
+inline constexpr double kTestCost = 0.11;
+/// Boxes of the sample on which a grid is chosen.
+inline constexpr std::size_t kSample = 128;
+/// More cells than this are made in two steps: writing to more places at a time than a cache has lines is
+/// slow. EPYC, uniform 1,000,000.
+inline constexpr double kMaxCells = 4096;
+/// Boxes of a cell that will be cut again.
+inline constexpr double kPieceBoxes = 1200;
+/// A cell with more boxes is cut again when that pays. EPYC, clustered 100,000.
+inline constexpr std::uint32_t kLargestCell = 160;
+/// Boxes that no cut tells apart are compared all with all from here on.
+inline constexpr unsigned kDeepest = 24;
+/// More memory than this for each box is given back, in bytes.
+inline constexpr std::size_t kBytesOfBox = 512;
+
+// --- candidates
+// -----------------------------------------------------------------------------------------------
+
+/// When no more than one in so many bodies got a new box, candidates of two others are not tested.
+inline constexpr std::size_t kFewFresh = 20;
+/// A box that is far is asked for so many candidates before it is tested. EPYC, uniform 1,000,000.
+inline constexpr std::size_t kAhead = 16;
+/// So many candidates and more are of boxes that are far.
+inline constexpr std::size_t kFar = 20'000;
+/// So many candidates and twice the pairs allowed are always looked at.
+inline constexpr std::size_t kFewCandidates = 1000;
+
+// --- sorting pairs
+// --------------------------------------------------------------------------------------------
+
+/// So many buckets fill at a time without running out of cache lines. EPYC, uniform 100,000.
+inline constexpr std::size_t kBuckets = 512;
+/// Fewer keys than this are compared.
+inline constexpr std::size_t kFewKeys = 24;
+/// Fewer keys than this are one bucket.
+inline constexpr std::size_t kOneBucket = 2048;
+/// And fewer than this when there is a counter for each first number: buckets would cost more than they save.
+inline constexpr std::size_t kOneCount = 16384;
+/// A bucket has at least so many first numbers.
+inline constexpr std::uint64_t kNarrowest = 4096;
+/// One counter for each first number, when they lie so close together.
+inline constexpr std::uint64_t kCounters = 16384;
+/// Changes are put in the order of scattered ids by comparing when they are fewer than one for so many
+/// bodies.
+inline constexpr std::size_t kBodiesOfChange = 4;
+
+/// Ids that are sorted in one step; more of them would be written to more places than a cache has lines.
+/// EPYC.
+inline constexpr std::size_t kManyIds = 65536;
+
+}  // namespace cellsweep::tuning

@@ -1,0 +1,83 @@
+/// @file
+/// The bodies of a broadphase: their ids, their boxes as of the last update, and what waits for the next one.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/crew.h"
+#include "base/memory/list.h"
+#include "base/memory/memory.h"
+#include "broadphase/bodies/id_table.h"
+#include "broadphase/bodies/move_check.h"
+#include "cellsweep/broadphase.h"
+#include "cellsweep/engine/engine.h"
+
+namespace cellsweep {
+
+/// Checks every call whole and remembers it. begin_update() puts what was remembered into the boxes; then
+/// either commit() forgets it or undo() takes it out again, and neither can fail. A call that throws
+/// std::bad_alloc has changed nothing.
+class Bodies {
+ public:
+  /// The input calls of Broadphase. `engine` and `capacity` are for the sentence that refuses one.
+  Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes, std::string_view engine,
+                const Capacity& capacity);
+  Status add(std::span<const Aabb> boxes, std::span<BodyId> ids, std::string_view engine,
+             const Capacity& capacity);
+  Status move(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
+  Status remove(std::span<const BodyId> ids);
+
+  /// Boxes as of the last update.
+  Status boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const;
+
+  /// By slot.
+  std::span<const Aabb> all_boxes() const { return boxes_; }
+
+  BodyChanges begin_update();
+  void undo();
+  void commit();
+
+  /// All bodies that an update has seen, and those that wait, as new ones: for an engine that knows none.
+  /// Between begin_update() and its end.
+  BodyChanges all_as_new();
+
+  /// Of the bodies of the last update that are gone, ascending.
+  std::vector<BodyId> removed_ids() const;
+
+  /// Numbers slots anew when most are free; true when it did. All engines must begin anew then. Between
+  /// updates, and only when nothing waits.
+  bool tidy();
+
+  const IdTable& table() const { return table_; }
+  std::size_t size() const { return table_.size(); }
+  std::size_t bytes() const;
+
+ private:
+  Status check_room(std::string_view engine, const Capacity& capacity, std::size_t more) const;
+  void swap_boxes();
+  void write_inserted(std::span<const Slot> slots, std::span<const Aabb> boxes, bool clean);
+  bool check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
+  void run_checks(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes, Unmoved unmoved);
+  bool checks_ascend(unsigned workers) const;
+  void gather_moves(Crew& crew, std::size_t first, std::size_t count);
+  void keep_moves(std::size_t first);
+  void move_again(const ChangedBody& body);
+  void forget_move(BodyState state);
+
+  IdTable table_;
+  Vector<Aabb> boxes_;         // by slot: of the last update; of a new body the one that it begins with
+  Vector<BodyState> states_;   // by slot
+  List<ChangedBody> moved_;    // with the boxes that they get; from begin_update() on, that they had
+  List<ChangedBody> removed_;  // with kNobody; from then on with the boxes that they had
+  Vector<Slot> inserted_;
+  bool some_unseen_ = false;             // some of the inserted were removed again, and are kGone
+  Vector<Slot> slots_;                   // of the call, or of all_as_new()
+  std::vector<MoveCheck> checks_;        // by worker
+  bool ascended_ = true;                 // the slots of the last call of move()
+  Unmoved unmoved_ = Unmoved::left_out;  // by the checks of the call
+};
+
+}  // namespace cellsweep

@@ -1,0 +1,181 @@
+#include "broadphase/bodies/id_table.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace cellsweep {
+namespace {
+
+/// A direct table may have this many entries for each body.
+constexpr std::size_t kDirectEntries = 4;
+constexpr std::size_t kSmallTable = 1024;
+/// Entries of the sparse table are asked for so many ids ahead.
+constexpr std::size_t kAhead = 16;
+
+}  // namespace
+
+// As far as most of the ids reach.
+void IdTable::grow_direct(std::span<const BodyId> ids) {
+  const std::size_t most = kDirectEntries * (size_ + ids.size()) + kSmallTable;
+  std::size_t count = 0;
+  BodyId largest = 0;
+  for (const BodyId id : ids) {
+    const bool fits = id < most;
+    count += fits ? 1 : 0;
+    largest = fits && id > largest ? id : largest;
+  }
+  const std::size_t entries = std::size_t{largest} + 1;
+  if (2 * count < ids.size() || entries <= direct_.size()) return;
+  make_room(direct_, entries);
+  direct_.resize(entries, kNoSlot);
+}
+
+void IdTable::reserve_for(std::span<const BodyId> ids) {
+  grow_direct(ids);
+  make_room(ids_, ids_.size() + ids.size());
+  const auto is_sparse_id = [&](BodyId id) { return id >= direct_.size(); };
+  const auto sparse = static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), is_sparse_id));
+  if (sparse > 0) sparse_.reserve(sparse_.size() + sparse);
+}
+
+// False when the id is there.
+inline bool IdTable::map(BodyId id, Slot slot) {
+  if (id >= direct_.size()) return sparse_.insert(id, slot);
+  Slot& entry = direct_[id];
+  if (entry != kNoSlot || sparse_.find(id) != kNoSlot) return false;
+  entry = slot;
+  return true;
+}
+
+void IdTable::unmap(BodyId id) {
+  if (id < direct_.size() && direct_[id] != kNoSlot) {
+    direct_[id] = kNoSlot;
+  } else {
+    sparse_.erase(id);
+  }
+}
+
+void IdTable::take_slot(BodyId id) {
+  const Slot slot = next_slot(0);
+  identical_ = identical_ && slot == id;
+  if (free_.empty()) {
+    ascending_ = ascending_ && (ids_.empty() || ids_.back() < id);
+    ids_.push_back(id);
+  } else {
+    free_.pop_back();
+    ids_[slot] = id;
+    ascending_ =
+        ascending_ && (slot == 0 || ids_[slot - 1] < id) && (slot + 1 == ids_.size() || id < ids_[slot + 1]);
+  }
+  ++size_;
+}
+
+bool IdTable::insert(std::span<const BodyId> ids, Vector<Slot>& slots) {
+  reserve_for(ids);
+  make_room(slots, slots.size() + ids.size());
+  if (!map_all(ids)) return false;
+  ++version_;
+  if (free_.empty()) {
+    append(ids, slots);
+    return true;
+  }
+  for (const BodyId id : ids) {
+    slots.push_back(next_slot(0));
+    take_slot(id);
+  }
+  return true;
+}
+
+// All of them behind those that there are.
+void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
+  const auto first = static_cast<Slot>(ids_.size());
+  bool identical = identical_;
+  bool ascending = ascending_ && (first == 0 || ids.empty() || ids_.back() < ids[0]);
+  for (std::size_t i = 0; i < ids.size(); ++i) identical &= ids[i] == first + i;
+  for (std::size_t i = 1; i < ids.size(); ++i) ascending &= ids[i - 1] < ids[i];
+  identical_ = identical;
+  ascending_ = ascending;
+  ids_.insert(ids_.end(), ids.begin(), ids.end());
+  size_ += ids.size();
+  const std::size_t before = slots.size();
+  slots.resize(before + ids.size());
+  std::iota(slots.begin() + static_cast<std::ptrdiff_t>(before), slots.end(), first);
+}
+
+// Maps all ids to the slots that they will get, or none.
+bool IdTable::map_all(std::span<const BodyId> ids) {
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (sparse_.size() > 0 && i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
+    if (map(ids[i], next_slot(i))) continue;
+    for (const BodyId id : ids.first(i)) unmap(id);
+    return false;
+  }
+  return true;
+}
+
+void IdTable::choose_ids(std::span<BodyId> ids) const {
+  Vector<BodyId> waiting;
+  waiting.reserve(removed_.size());
+  for (const Slot slot : removed_) waiting.push_back(ids_[slot]);
+  std::sort(waiting.begin(), waiting.end());
+  const auto is_taken = [&](BodyId id) {
+    return find(id) != kNoSlot || std::binary_search(waiting.begin(), waiting.end(), id);
+  };
+  auto beyond = static_cast<BodyId>(ids_.size() + ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    ids[i] = next_slot(i);
+    while (is_taken(ids[i])) ids[i] = beyond++;
+  }
+}
+
+void IdTable::reserve_removals(std::size_t count) {
+  make_room(removed_, removed_.size() + count);
+  make_room(free_, free_.size() + removed_.size() + count);
+}
+
+void IdTable::remove(Slot slot) {
+  unmap(ids_[slot]);
+  removed_.push_back(slot);
+  --size_;
+  ++version_;
+}
+
+void IdTable::release() {
+  if (removed_.empty()) return;
+  if (size_ == 0) {
+    const std::uint64_t version = version_;
+    *this = IdTable();
+    version_ = version + 1;
+    return;
+  }
+  // The lowest slots are given out first: they make ids and slots alike where that is possible.
+  std::sort(removed_.begin(), removed_.end(), std::greater<>());
+  free_.insert(free_.end(), removed_.begin(), removed_.end());
+  removed_.clear();
+}
+
+IdTable IdTable::renumbered(Vector<Slot>& before) const {
+  before.clear();
+  before.reserve(size_);
+  Vector<BodyId> ids;
+  ids.reserve(size_);
+  for (Slot slot = 0; slot < ids_.size(); ++slot) {
+    if (find(ids_[slot]) != slot) continue;
+    before.push_back(slot);
+    ids.push_back(ids_[slot]);
+  }
+  IdTable fresh;
+  Vector<Slot> slots;
+  fresh.insert(ids, slots);
+  fresh.version_ = version_ + 1;
+  return fresh;
+}
+
+std::size_t IdTable::bytes() const {
+  return (ids_.capacity() + direct_.capacity() + free_.capacity() + removed_.capacity()) * sizeof(BodyId) +
+         sparse_.bytes();
+}
+
+}  // namespace cellsweep

@@ -1,0 +1,101 @@
+/// @file
+/// The bodies of a broadphase: a slot for each id, found by one load where ids are dense.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/memory/array.h"
+#include "broadphase/bodies/sparse_ids.h"
+#include "cellsweep/engine/engine.h"
+#include "cellsweep/pair.h"
+
+namespace cellsweep {
+
+/// Maps ids, any 32-bit numbers, to slots 0 ... slot_count() - 1 and back. The slot of a removed body keeps
+/// its id until release(), so that the pairs which end with it can still be named.
+class IdTable {
+ public:
+  /// Bodies held.
+  std::size_t size() const { return size_; }
+  /// Slots in use, freed or waiting for release().
+  std::size_t slot_count() const { return ids_.size(); }
+
+  /// The slot of a body, or kNoSlot.
+  Slot find(BodyId id) const {
+    if (id < direct_.size() && direct_[id] != kNoSlot) return direct_[id];
+    return sparse_.find(id);
+  }
+
+  /// Has the memory ready in which find() will look.
+  void prefetch(BodyId id) const {
+    if (id >= direct_.size()) sparse_.prefetch(id);
+  }
+
+  /// Adds bodies and appends the slots that they get. False, and nothing has changed, when one is held or
+  /// listed twice. Throws std::bad_alloc before anything has changed.
+  bool insert(std::span<const BodyId> ids, Vector<Slot>& slots);
+
+  /// Ids that nobody has, for so many more bodies: those of the slots that insert() would give out next,
+  /// where nobody has them.
+  void choose_ids(std::span<BodyId> ids) const;
+
+  /// Makes room for removing so many: remove() and release() take no memory then.
+  void reserve_removals(std::size_t count);
+
+  /// Removes a body that is held, in this slot.
+  void remove(Slot slot);
+
+  /// Slots of removed bodies are free from now on. With no body left, all memory is given back.
+  void release();
+
+  /// True when so many slots are free that slots should be numbered anew.
+  bool is_sparse() const { return ids_.size() > 1024 && size_ < ids_.size() / 4; }
+
+  /// A table of the same bodies with slots 0 ... size() - 1; `before` becomes for each the slot that it had.
+  /// Nothing may wait for release().
+  IdTable renumbered(Vector<Slot>& before) const;
+
+  BodyId id(Slot slot) const { return ids_[slot]; }
+  /// By slot; of a free slot the id that it had.
+  const BodyId* ids() const { return ids_.data(); }
+
+  /// True when each id is its own slot.
+  bool is_identical() const { return identical_; }
+  /// True when slots are in the order of their ids.
+  bool is_ascending() const { return ascending_; }
+  /// True when there is a body in every slot.
+  bool is_full() const { return size_ == ids_.size(); }
+  /// Counts what changes about which id belongs to which slot.
+  std::uint64_t version() const { return version_; }
+
+  /// Bytes held, nearly.
+  std::size_t bytes() const;
+
+ private:
+  void reserve_for(std::span<const BodyId> ids);
+  void grow_direct(std::span<const BodyId> ids);
+  bool map(BodyId id, Slot slot);
+  void unmap(BodyId id);
+  bool map_all(std::span<const BodyId> ids);
+  void append(std::span<const BodyId> ids, Vector<Slot>& slots);
+  // The slot that is given out when so many have been given out before.
+  Slot next_slot(std::size_t before) const {
+    return before < free_.size() ? free_[free_.size() - 1 - before]
+                                 : static_cast<Slot>(ids_.size() + before - free_.size());
+  }
+  void take_slot(BodyId id);
+
+  std::size_t size_ = 0;
+  bool identical_ = true;
+  bool ascending_ = true;
+  std::uint64_t version_ = 0;
+  Vector<BodyId> ids_;
+  Vector<Slot> direct_;   // slots of ids below its size
+  SparseIds sparse_;      // and of the others
+  Vector<Slot> free_;     // the last is given out first
+  Vector<Slot> removed_;  // until release()
+};
+
+}  // namespace cellsweep

@@ -1,0 +1,84 @@
+/// @file
+/// Slots of ids that lie far apart: a table of open addresses, an id and its slot side by side.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/memory/memory.h"
+#include "cellsweep/engine/engine.h"
+#include "cellsweep/pair.h"
+
+namespace cellsweep {
+
+/// At most half full, linear probing, nothing left behind by an erase().
+class SparseIds {
+ public:
+  std::size_t size() const { return size_; }
+
+  /// The slot of an id, or kNoSlot.
+  Slot find(BodyId id) const { return size_ == 0 ? kNoSlot : entries_[place_of(id)].slot; }
+
+  /// Has the memory ready in which find() will look first.
+  void prefetch(BodyId id) const {
+    if (size_ > 0) __builtin_prefetch(&entries_[home_of(id)]);
+  }
+
+  /// Makes room for so many ids in all; insert() up to there takes no memory.
+  void reserve(std::size_t ids) {
+    if (2 * ids <= entries_.size()) return;
+    std::size_t size = 64;
+    while (size < 2 * ids) size *= 2;
+    Vector<Entry> entries(size);
+    entries.swap(entries_);
+    for (const Entry& entry : entries) {
+      if (entry.slot != kNoSlot) entries_[place_of(entry.id)] = entry;
+    }
+  }
+
+  /// Adds an id, for which there must be room; false when it is there.
+  bool insert(BodyId id, Slot slot) {
+    Entry& entry = entries_[place_of(id)];
+    if (entry.slot != kNoSlot) return false;
+    entry = {id, slot};
+    ++size_;
+    return true;
+  }
+
+  /// An id that is there. What was pushed out of its place by it moves back.
+  void erase(BodyId id) {
+    std::size_t hole = place_of(id);
+    for (std::size_t next = after(hole); entries_[next].slot != kNoSlot; next = after(next)) {
+      const std::size_t from_home = (next - home_of(entries_[next].id)) & (entries_.size() - 1);
+      const std::size_t from_hole = (next - hole) & (entries_.size() - 1);
+      if (from_home < from_hole) continue;
+      entries_[hole] = entries_[next];
+      hole = next;
+    }
+    entries_[hole] = {};
+    --size_;
+  }
+
+  std::size_t bytes() const { return entries_.capacity() * sizeof(Entry); }
+
+ private:
+  struct Entry {
+    BodyId id = 0;
+    Slot slot = kNoSlot;
+  };
+
+  std::size_t home_of(BodyId id) const { return mix64(id) & (entries_.size() - 1); }
+  std::size_t after(std::size_t place) const { return (place + 1) & (entries_.size() - 1); }
+
+  // Where the id is, or the first free place that it could have.
+  std::size_t place_of(BodyId id) const {
+    std::size_t place = home_of(id);
+    while (entries_[place].slot != kNoSlot && entries_[place].id != id) place = after(place);
+    return place;
+  }
+
+  Vector<Entry> entries_;  // a power of two, or none
+  std::size_t size_ = 0;
+};
+
+}  // namespace cellsweep

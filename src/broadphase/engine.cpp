@@ -1,0 +1,7 @@
+#include "cellsweep/engine/engine.h"
+
+namespace cellsweep {
+
+Engine::~Engine() = default;
+
+}  // namespace cellsweep

@@ -1,0 +1,43 @@
+/// @file
+/// Turns pairs of slots into pairs of ids, in ascending order.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/crew.h"
+#include "base/memory/array.h"
+#include "base/memory/list.h"
+#include "base/pair_sort.h"
+#include "broadphase/bodies/id_table.h"
+#include "broadphase/pairs/id_ranks.h"
+#include "cellsweep/engine/engine.h"
+
+namespace cellsweep {
+
+/// Keeps what makes that quick from update to update. Throws std::bad_alloc.
+class PairOrder {
+ public:
+  /// Writes the pairs of `ascending` and of `more`, which differ, to `pairs`.
+  void name_pairs(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending, KeyParts more,
+                  Array<Pair>& pairs);
+
+  std::size_t bytes() const { return ranks_.bytes() + keys_.bytes() + scratch_.bytes(); }
+
+ private:
+  void copy_named(const IdTable& table, std::span<const SlotPair> ascending, Array<Pair>& pairs);
+  void sort_in_slot_order(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending,
+                          KeyParts more, Array<Pair>& pairs);
+  void sort_by_ids(const IdTable& table, std::span<const SlotPair> ascending, KeyParts more,
+                   Array<Pair>& pairs);
+  void sort_by_ranks(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending, KeyParts more,
+                     Array<Pair>& pairs);
+  template <class Number>
+  void list_keys(std::span<const SlotPair> ascending, KeyParts more, Number&& number);
+
+  IdRanks ranks_;
+  List<std::uint64_t> keys_;
+  Array<std::uint64_t> scratch_;
+};
+
+}  // namespace cellsweep

@@ -1,0 +1,74 @@
+/// @file
+/// The pairs of a broadphase, ascending by id: what the last update changed, and on demand all of them.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <span>
+
+#include "base/memory/array.h"
+#include "base/memory/list.h"
+#include "cellsweep/broadphase.h"
+#include "cellsweep/pair.h"
+
+namespace cellsweep {
+
+/// The whole list is brought up to date when somebody asks for it; until then changes are remembered, as far
+/// as they are fewer than pairs. What throws std::bad_alloc has changed nothing that shows.
+class PairSet {
+ public:
+  /// Makes room for new changes: the last ones will be needed to list all pairs. Before next_began() and
+  /// next_ended() are written.
+  void remember_changes();
+
+  /// To be written by an update, ascending. Nothing of it shows before commit().
+  Array<Pair>& next_began() { return next_began_; }
+  Array<Pair>& next_ended() { return next_ended_; }
+
+  /// Turns a whole set in next_began(), ascending, into what differs from the pairs of now. Pairs of bodies
+  /// that are gone, ascending, end though others of their ids are in the set.
+  void compare_with_whole_set(std::span<const BodyId> gone);
+
+  /// What was written is what changed last. Cannot fail.
+  PairChanges commit();
+
+  /// Nothing changed. Cannot fail.
+  PairChanges commit_nothing();
+
+  /// All pairs, ascending. From any number of threads, while nothing else is called.
+  std::span<const Pair> pairs() const;
+
+  std::size_t bytes() const;
+
+ private:
+  /// The last word on a pair wins.
+  struct Note {
+    std::uint64_t key;
+    bool overlapping;
+  };
+
+  bool only_began() const;
+  void note_changes() const;
+  void list_all() const;
+  void merge_notes() const;
+  void merge(std::span<const Pair> began, std::span<const Pair> ended) const;
+
+  Array<Pair> began_;  // of the last update
+  Array<Pair> ended_;
+  Array<Pair> next_began_;
+  Array<Pair> next_ended_;
+  Array<Pair> whole_;  // what compare_with_whole_set() was given
+
+  mutable Array<Pair> pairs_;  // but for notes_ and the last changes
+  mutable Array<Pair> spare_;  // room for the next
+  mutable List<Note> notes_;   // in the order in which they came
+  mutable std::atomic<bool> is_listed_ = true;
+  mutable std::mutex mutex_;
+};
+
+/// What differs between two ascending lists. Pairs of bodies that are gone, ascending, differ from all.
+void find_changes(std::span<const Pair> old, std::span<const Pair> now, std::span<const BodyId> gone,
+                  Array<Pair>& began, Array<Pair>& ended);
+
+}  // namespace cellsweep

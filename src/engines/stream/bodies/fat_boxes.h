@@ -1,0 +1,72 @@
+/// @file
+/// The fat boxes of engine `stream`, and how those of an update differ from those before.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/crew.h"
+#include "base/memory/array.h"
+#include "base/memory/list.h"
+#include "base/memory/memory.h"
+#include "cellsweep/engine/engine.h"
+
+namespace cellsweep::stream {
+
+/// A body whose fat box changed: where it was when the cells were last brought up to date, and where it is.
+struct FatBoxChange {
+  Slot slot = 0;
+  bool was = false;
+  bool is = false;
+  Aabb old_box{};
+  Aabb new_box{};
+};
+
+/// Every body has two boxes: its own, and a fat box around it in which it may move about. Fat boxes are what
+/// the cells hold; while a body stays inside of its own, no cell changes. It is the box itself until the body
+/// moves, and from then on covers where the body would be some updates later if it kept its course.
+class FatBoxes {
+ public:
+  /// What an update did to them.
+  enum class Extent {
+    inside,  ///< all bodies that moved stayed inside of their fat boxes
+    listed,  ///< few changed: changes()
+    all      ///< more changed than should be listed
+  };
+
+  /// Takes changes in, of which there are some; up to `most_listed` changes of fat boxes are listed one by
+  /// one.
+  Extent take(Crew& crew, const BodyChanges& changes, std::size_t most_listed);
+
+  /// Each slot once; after Extent::listed. Valid until the next take().
+  std::span<const FatBoxChange> changes() const { return changes_.view(); }
+
+  /// Some fat box may be larger than its box.
+  bool have_slack() const { return slack_; }
+
+  /// Every fat box is its box again; for a new start.
+  void drop_slack();
+
+  /// By slot, for the boxes that the last take() was given; kNobody where there is no body.
+  const Aabb* data(std::span<const Aabb> boxes) const { return slack_ ? fat_.data() : boxes.data(); }
+
+  std::size_t bytes() const;
+
+ private:
+  void make_slack(const BodyChanges& changes);
+  std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
+  void renew_all(Crew& crew, const BodyChanges& changes);
+  void list(const BodyChanges& changes, std::size_t count);
+  void list_removed(const ChangedBody& body);
+  void list_moved(const ChangedBody& body, const Aabb& now);
+  void list_inserted(Slot slot, const Aabb& now);
+
+  Vector<Aabb> fat_;             // by slot; none while all are the boxes themselves
+  Array<std::uint8_t> escapes_;  // by place in the list of moved bodies: it left its fat box
+  List<FatBoxChange> changes_;
+  bool slack_ = false;
+  std::uint32_t updates_ = 0;
+};
+
+}  // namespace cellsweep::stream

@@ -1,0 +1,29 @@
+/// @file
+/// Pair keys that grow: what the kernels write into.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "engines/stream/kernels/kernel.h"
+
+namespace cellsweep::stream {
+
+/// A KeyBuffer that owns its memory.
+class Keys {
+ public:
+  Keys();
+  Keys(const Keys&) = delete;
+  Keys& operator=(const Keys&) = delete;
+  ~Keys();
+
+  KeyBuffer& buffer() { return buffer_; }
+  std::span<const std::uint64_t> view() const { return {buffer_.keys, buffer_.size}; }
+  /// Empties it; gives memory back when there was use for little of it.
+  void clear();
+
+ private:
+  KeyBuffer buffer_;
+};
+
+}  // namespace cellsweep::stream

@@ -1,0 +1,234 @@
+#include "engines/stream/pairs/overlap_marks.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "base/tuning.h"
+#include "geometry/box_lanes.h"
+
+namespace cellsweep::stream {
+namespace {
+
+constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
+
+std::size_t count_below(std::span<const SlotPair> pairs, const SlotPair& pair) {
+  return static_cast<std::size_t>(std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin());
+}
+
+/// The candidates before, of which some ended, and the ones that began, walked along in step with those now.
+class Walk {
+ public:
+  Walk(const SlotPairChanges& changes, const std::uint8_t* old_marks, std::span<const SlotPair> now,
+       std::size_t first)
+      : began_(changes.began), ended_(changes.ended), marks_(old_marks) {
+    if (first > 0) {
+      began_ = began_.subspan(count_below(began_, now[first]));
+      ended_ = ended_.subspan(count_below(ended_, now[first]));
+      marks_ += first + (changes.ended.size() - ended_.size()) - (changes.began.size() - began_.size());
+    }
+    look_ahead();
+  }
+
+  /// Whether the next candidate overlapped before; those that ended before it and did are written to `ended`.
+  bool next(std::uint64_t key, SlotPair*& ended) {
+    if (key < next_change_) return *marks_++ != 0;
+    take_ended(key, ended);
+    const bool is_new = !began_.empty() && pair_key(began_.front()) == key;
+    if (is_new) began_ = began_.subspan(1);
+    look_ahead();
+    return !is_new && *marks_++ != 0;
+  }
+
+  /// Those that ended below `key`.
+  void take_ended(std::uint64_t key, SlotPair*& ended) {
+    while (!ended_.empty() && pair_key(ended_.front()) < key) {
+      *ended = ended_.front();
+      ended += *marks_++;
+      ended_ = ended_.subspan(1);
+    }
+  }
+
+ private:
+  void look_ahead() {
+    const std::uint64_t began = began_.empty() ? kNoKey : pair_key(began_.front());
+    const std::uint64_t ended = ended_.empty() ? kNoKey : pair_key(ended_.front());
+    next_change_ = std::min(began, ended);
+  }
+
+  std::span<const SlotPair> began_;
+  std::span<const SlotPair> ended_;
+  const std::uint8_t* marks_;
+  std::uint64_t next_change_ = kNoKey;
+};
+
+/// The candidates before, when they are those of now.
+class Same {
+ public:
+  Same(const std::uint8_t* marks, std::size_t first) : marks_(marks + first) {}
+  bool next(std::uint64_t, SlotPair*&) { return *marks_++ != 0; }
+  void take_ended(std::uint64_t, SlotPair*&) {}
+
+ private:
+  const std::uint8_t* marks_;
+};
+
+/// Where a worker writes, and how far it got.
+struct Output {
+  std::uint8_t* marks;
+  SlotPair* began;
+  SlotPair* ended;
+};
+
+/// Which candidates are tested: all, of boxes that are in the cache or are not, or those with a new box.
+enum class Which { all_near, all_far, fresh };
+
+bool overlap(const Aabb* boxes, const SlotPair& pair) {
+  return cellsweep::overlap(BoxLanes(boxes[pair.a]), BoxLanes(boxes[pair.b]));
+}
+
+/// Asks for the box of a candidate that will be tested soon.
+void prefetch(std::span<const SlotPair> candidates, std::size_t i, const Aabb* boxes) {
+  __builtin_prefetch(&boxes[candidates[std::min(i + tuning::kAhead, candidates.size() - 1)].b]);
+}
+
+template <Which Tested, class Before>
+void test_pairs(std::span<const SlotPair> candidates, const TestedBoxes& tested, Before& before,
+                Output& output) {
+  Output to = output;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const SlotPair pair = candidates[i];
+    if (Tested == Which::all_far) prefetch(candidates, i, tested.boxes);
+    const bool was = before.next(pair_key(pair), to.ended);
+    bool is = was;
+    if (Tested != Which::fresh || (tested.fresh[pair.a] | tested.fresh[pair.b]) != 0) {
+      is = overlap(tested.boxes, pair);
+    }
+    *to.marks++ = is ? 1 : 0;
+    if (is == was) continue;
+    if (is) *to.began++ = pair;
+    if (was) *to.ended++ = pair;
+  }
+  output = to;
+}
+
+template <class Before>
+void test_share(std::span<const SlotPair> candidates, bool far, const TestedBoxes& tested, Before& before,
+                Output& output) {
+  if (tested.fresh != nullptr) return test_pairs<Which::fresh>(candidates, tested, before, output);
+  if (far) return test_pairs<Which::all_far>(candidates, tested, before, output);
+  test_pairs<Which::all_near>(candidates, tested, before, output);
+}
+
+/// Nobody's share is empty.
+unsigned workers_for(const Crew& crew, std::span<const SlotPair> candidates) {
+  return candidates.size() < crew.active() ? 1 : crew.active();
+}
+
+std::span<const SlotPair> share_of(std::span<const SlotPair> candidates, const Share& share) {
+  return candidates.subspan(share.first, share.last - share.first);
+}
+
+/// What each worker writes: its share of the candidates' room, moved together afterwards.
+class Outputs {
+ public:
+  Outputs(const Output& room, std::span<const SlotPair> candidates, std::span<const SlotPair> ended,
+          unsigned workers)
+      : starts_(workers) {
+    for (unsigned worker = 0; worker < workers; ++worker) {
+      const std::size_t first = Share::of(candidates.size(), worker, workers).first;
+      const std::size_t ended_before = first == 0 ? 0 : count_below(ended, candidates[first]);
+      starts_[worker] = {room.marks + first, room.began + first, room.ended + first + ended_before};
+    }
+    ends_ = starts_;
+  }
+
+  Output& of(unsigned worker) { return ends_[worker]; }
+
+  std::size_t gather(SlotPair* Output::*list) {
+    SlotPair* const start = starts_[0].*list;
+    SlotPair* to = start;
+    for (std::size_t worker = 0; worker < starts_.size(); ++worker) {
+      const SlotPair* from = starts_[worker].*list;
+      const auto count = static_cast<std::size_t>(ends_[worker].*list - from);
+      if (to != from) std::memmove(to, from, count * sizeof(SlotPair));
+      to += count;
+    }
+    return static_cast<std::size_t>(to - start);
+  }
+
+ private:
+  std::vector<Output> starts_;
+  std::vector<Output> ends_;
+};
+
+}  // namespace
+
+void OverlapMarks::make_room(std::size_t candidates, std::size_t ended) {
+  spare_.renew(candidates);
+  began_.renew(candidates);
+  ended_.renew(candidates + ended);
+}
+
+void OverlapMarks::start(std::size_t candidates) {
+  marks_.renew(candidates);
+  std::fill_n(marks_.data(), candidates, std::uint8_t{1});
+}
+
+void OverlapMarks::test_all(Crew& crew, std::span<const SlotPair> candidates, const Aabb* boxes) {
+  marks_.renew(candidates.size());
+  crew.run([&](unsigned worker) {
+    const Share share = Share::of(candidates.size(), worker, crew.active());
+    const auto mine = share_of(candidates, share);
+    std::uint8_t* marks = marks_.data() + share.first;
+    for (std::size_t i = 0; i < mine.size(); ++i) {
+      prefetch(mine, i, boxes);
+      marks[i] = overlap(boxes, mine[i]) ? 1 : 0;
+    }
+  });
+}
+
+SlotPairChanges OverlapMarks::refresh(Crew& crew, std::span<const SlotPair> candidates,
+                                      const SlotPairChanges& changes, const TestedBoxes& tested) {
+  make_room(candidates.size(), changes.ended.size());
+  const bool same = changes.began.empty() && changes.ended.empty();
+  const bool far = candidates.size() >= tuning::kFar;
+  const unsigned workers = workers_for(crew, candidates);
+  Outputs outputs({same ? marks_.data() : spare_.data(), began_.data(), ended_.data()}, candidates,
+                  changes.ended, workers);
+  crew.run([&](unsigned worker) {
+    if (worker >= workers) return;
+    const Share share = Share::of(candidates.size(), worker, workers);
+    const auto mine = share_of(candidates, share);
+    Output& output = outputs.of(worker);
+    if (same) {
+      Same before(marks_.data(), share.first);
+      return test_share(mine, far, tested, before, output);
+    }
+    Walk before(changes, marks_.data(), candidates, share.first);
+    test_share(mine, far, tested, before, output);
+    const bool is_last = share.last == candidates.size();
+    before.take_ended(is_last ? kNoKey : pair_key(candidates[share.last]), output.ended);
+  });
+  began_.shrink(outputs.gather(&Output::began));
+  ended_.shrink(outputs.gather(&Output::ended));
+  if (!same) std::swap(marks_, spare_);
+  return {std::as_const(began_).view(), std::as_const(ended_).view()};
+}
+
+void OverlapMarks::list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const {
+  marked.renew(candidates.size());
+  SlotPair* to = marked.data();
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    *to = candidates[i];
+    to += marks_.data()[i];
+  }
+  marked.shrink(static_cast<std::size_t>(to - marked.data()));
+}
+
+std::size_t OverlapMarks::bytes() const {
+  return marks_.bytes() + spare_.bytes() + began_.bytes() + ended_.bytes();
+}
+
+}  // namespace cellsweep::stream

@@ -1,0 +1,50 @@
+/// @file
+/// Which of the candidates of engine `stream` overlap: those whose fat boxes do, tested by their boxes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/crew.h"
+#include "base/memory/array.h"
+#include "cellsweep/engine/engine.h"
+#include "engines/stream/pairs/candidate_list.h"
+
+namespace cellsweep::stream {
+
+/// The boxes to test, by slot.
+struct TestedBoxes {
+  const Aabb* boxes = nullptr;
+  /// By slot: not 0 where the box is new since the last test; null to test all.
+  const std::uint8_t* fresh = nullptr;
+};
+
+/// A mark for each candidate, whether it overlapped at the last test.
+class OverlapMarks {
+ public:
+  /// All candidates overlap.
+  void start(std::size_t candidates);
+
+  /// Tests all candidates, which may be others than before; nothing is known of them.
+  void test_all(Crew& crew, std::span<const SlotPair> candidates, const Aabb* boxes);
+
+  /// Tests candidates that differ from those before by `changes`, and says which began and ended to overlap.
+  SlotPairChanges refresh(Crew& crew, std::span<const SlotPair> candidates, const SlotPairChanges& changes,
+                          const TestedBoxes& tested);
+
+  /// Writes the marked ones of the candidates to a list.
+  void list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const;
+
+  /// Bytes held.
+  std::size_t bytes() const;
+
+ private:
+  void make_room(std::size_t candidates, std::size_t ended);
+
+  Array<std::uint8_t> marks_;
+  Array<std::uint8_t> spare_;  // room for the next
+  Array<SlotPair> began_;
+  Array<SlotPair> ended_;
+};
+
+}  // namespace cellsweep::stream

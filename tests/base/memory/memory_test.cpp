@@ -1,0 +1,128 @@
+/// @file
+/// Blocks of memory: aligned, growing, given back, and none when a test says so.
+#include "base/memory/memory.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <limits>
+#include <thread>
+
+#include "base/memory/starved.h"
+
+namespace cellsweep {
+namespace {
+
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
+
+std::size_t address(const void* memory) {
+  return reinterpret_cast<std::uintptr_t>(memory);
+}
+
+/// False when there is no memory.
+bool takes_some() {
+  try {
+    give_memory(take_memory(100));
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  return true;
+}
+
+TEST(Memory, BlocksOfEverySizeAreAlignedAndMayBeWrittenToTheirEnds) {
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{1}, std::size_t{63}, std::size_t{64}, std::size_t{65}, std::size_t{4097},
+        kHugePage - 1, kHugePage, kHugePage + 1, 20 * kHugePage + 5}) {
+    const Memory<std::byte> memory(take_memory(size));
+    ASSERT_NE(memory, nullptr);
+    EXPECT_EQ(address(memory.get()) % 64, 0U) << size;
+    EXPECT_TRUE(size < kHugePage || address(memory.get()) % kHugePage == 0) << size;
+    std::memset(memory.get(), 0xa5, size);
+  }
+}
+
+TEST(Memory, AGrownBlockBeginsWithWhatWasInIt) {
+  std::byte* memory = grow_memory(nullptr, 3);
+  std::memcpy(memory, "abc", 3);
+  for (std::size_t size = 4; size < 3 * kHugePage; size *= 7) {
+    memory = grow_memory(memory, size);
+    EXPECT_EQ(std::memcmp(memory, "abc", 3), 0) << size;
+    std::memset(memory + 3, 0xa5, size - 3);
+  }
+  give_memory(memory);
+}
+
+TEST(Memory, OfNothingIsGivenBackToo) {
+  give_memory(nullptr);
+}
+
+TEST(Memory, FailsTheTimeThatATestAsksForAndOnce) {
+  const auto take = [] { give_memory(take_memory(100)); };
+  const FailingMemory memory(3);
+  take();
+  take();
+  EXPECT_THROW(take(), std::bad_alloc);
+  take();
+  take();
+}
+
+TEST(Memory, FailsNoMoreWhenATestSaysSo) {
+  let_memory_fail(1);
+  let_memory_fail(0);
+  give_memory(take_memory(100));
+}
+
+TEST(Memory, ABlockThatCannotGrowIsAsItWas) {
+  Memory<std::byte> memory(take_memory(100));
+  std::memset(memory.get(), 7, 100);
+  {
+    const FailingMemory failing(1);
+    EXPECT_THROW(grow_memory(memory.get(), 1000), std::bad_alloc);
+  }
+  EXPECT_TRUE(
+      std::all_of(memory.get(), memory.get() + 100, [](std::byte value) { return value == std::byte{7}; }));
+}
+
+TEST(Memory, FailsOnceHoweverManyThreadsAskForIt) {
+  for (int round = 0; round < 20; ++round) {
+    std::atomic<int> failures = 0;
+    const FailingMemory memory(5);
+    const auto take_some = [&] {
+      for (int i = 0; i < 50; ++i) failures += takes_some() ? 0 : 1;
+    };
+    std::thread other(take_some);
+    take_some();
+    other.join();
+    EXPECT_EQ(failures, 1);
+  }
+}
+
+#if !defined(CELLSWEEP_SANITIZED_TESTS)
+TEST(Memory, MoreThanThereIsThrows) {
+  constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
+  for (const std::size_t size : {kMost, kMost - 64, kMost / 2}) {
+    EXPECT_THROW(take_memory(size), std::bad_alloc);
+    Memory<std::byte> memory(take_memory(10));
+    EXPECT_THROW(grow_memory(memory.get(), size), std::bad_alloc);
+  }
+}
+#endif
+
+TEST(AllocatorOfContainers, GetsItsMemoryHere) {
+  Vector<int> numbers(1000, 4);
+  EXPECT_EQ(address(numbers.data()) % 64, 0U);
+  EXPECT_THAT(numbers, testing::Each(4));
+  EXPECT_TRUE(fails_at(1, [&] { numbers.resize(100'000); }));
+  EXPECT_EQ(numbers.size(), 1000U);
+  EXPECT_FALSE(fails_at(2, [&] { numbers.resize(100'000); }));
+}
+
+TEST(AllocatorOfContainers, RefusesANumberOfElementsWhoseBytesCannotBeCounted) {
+  Allocator<double> allocator;
+  EXPECT_THROW(allocator.allocate(std::numeric_limits<std::size_t>::max() / 4), std::bad_alloc);
+}
+
+}  // namespace
+}  // namespace cellsweep

@@ -1,0 +1,98 @@
+/// @file
+/// Fat boxes: what they enclose, and how far they reach ahead.
+#include "engines/stream/bodies/fat_box.h"
+
+#include <gtest/gtest.h>
+
+#include <cfloat>
+#include <cmath>
+
+#include "contract/box_kinds.h"
+
+namespace cellsweep::stream {
+namespace {
+
+constexpr Aabb kUnit = {{0, 0, 0}, {1, 1, 1}};
+
+/// The unit cube so far along x.
+Aabb unit_at(float x) {
+  return {{x, 0, 0}, {x + 1, 1, 1}};
+}
+
+bool encloses(const Aabb& hull, const Aabb& box) {
+  bool enclosed = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    enclosed = enclosed && hull.min[axis] <= box.min[axis] && box.max[axis] <= hull.max[axis];
+  return enclosed;
+}
+
+TEST(FatBox, OfABodyAtRestIsItsBox) {
+  EXPECT_EQ(fat_box_of(kUnit, kUnit, 8), kUnit);
+  EXPECT_EQ(fat_box_of(unit_at(-5), unit_at(-5), 12), unit_at(-5));
+}
+
+TEST(FatBox, ReachesWhereTheBodyIsGoing) {
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(0.0625F), 4), (Aabb{{0.0625F, 0, 0}, {1.3125F, 1, 1}}));
+  EXPECT_EQ(fat_box_of(unit_at(0.0625F), kUnit, 4), (Aabb{{-0.25F, 0, 0}, {1, 1, 1}}));
+}
+
+TEST(FatBox, EnclosesTheBodyAsLongAsItKeepsItsCourse) {
+  const Aabb fat = fat_box_of(kUnit, unit_at(0.0625F), 4);
+  for (int update = 0; update <= 4; ++update)
+    EXPECT_TRUE(encloses(fat, unit_at(0.0625F + 0.0625F * static_cast<float>(update)))) << update;
+  EXPECT_FALSE(encloses(fat, unit_at(0.0625F * 6)));
+}
+
+TEST(FatBox, GrowsWithABoxThatGrows) {
+  const Aabb larger = {{-0.0625F, 0, 0}, {1.0625F, 1, 1}};
+  const Aabb fat = fat_box_of(kUnit, larger, 2);
+  EXPECT_EQ(fat, (Aabb{{-0.1875F, 0, 0}, {1.1875F, 1, 1}}));
+  EXPECT_EQ(fat_box_of(larger, kUnit, 2), kUnit) << "and not with one that shrinks";
+}
+
+TEST(FatBox, GrowsByHalfItsLengthAtMost) {
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(0.5F), 8), (Aabb{{0.5F, 0, 0}, {2, 1, 1}}));
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(-1), 8), (Aabb{{-1.5F, 0, 0}, {0, 1, 1}}));
+}
+
+TEST(FatBox, OfABodyThatJumpsFurtherThanItsLengthIsItsBox) {
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(1.5F), 8), unit_at(1.5F));
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(1e30F), 8), unit_at(1e30F));
+  const Aabb point = {{3, 3, 3}, {3, 3, 3}};
+  EXPECT_EQ(fat_box_of(kUnit, point, 8), point);
+}
+
+TEST(FatBox, StaysWithinTheNumbersThereAre) {
+  const Aabb all = {{-FLT_MAX, -FLT_MAX, -FLT_MAX}, {FLT_MAX, FLT_MAX, FLT_MAX}};
+  const Aabb corner = {{FLT_MAX, FLT_MAX, FLT_MAX}, {FLT_MAX, FLT_MAX, FLT_MAX}};
+  const Aabb half = {{0, 0, 0}, {FLT_MAX, FLT_MAX, FLT_MAX}};
+  const Aabb other_half = {{-FLT_MAX, -FLT_MAX, -FLT_MAX}, {0, 0, 0}};
+  for (const Aabb& old : {all, corner, half, other_half, kUnit}) {
+    for (const Aabb& now : {all, corner, half, other_half, kUnit}) {
+      const Aabb fat = fat_box_of(old, now, 12);
+      EXPECT_TRUE(encloses(fat, now));
+      EXPECT_TRUE(encloses(all, fat));
+    }
+  }
+}
+
+TEST(FatBox, EnclosesTheBoxWhateverItWasBefore) {
+  contract::Random random(1);
+  for (const contract::BoxKind& kind : contract::box_kinds()) {
+    const std::vector<Aabb> boxes = make_boxes(kind, random, 40);
+    for (const Aabb& old : boxes) {
+      for (const Aabb& given : boxes) {
+        const Aabb now = contract::next_box(kind, random, old, given);
+        for (const float updates : {4.0F, 8.0F, 12.0F}) {
+          const Aabb fat = fat_box_of(old, now, updates);
+          ASSERT_TRUE(encloses(fat, now)) << kind;
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            ASSERT_TRUE(std::isfinite(fat.max[axis] / 2 - fat.min[axis] / 2));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cellsweep::stream

@@ -1,0 +1,253 @@
+/// @file
+/// Which fat boxes an update changes, and that each encloses its box all the time.
+#include "engines/stream/bodies/fat_boxes.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "engines/stream/worlds.h"
+
+namespace cellsweep::stream {
+namespace {
+
+using testing::IsEmpty;
+using Extent = FatBoxes::Extent;
+
+constexpr std::size_t kAny = 1'000'000;
+
+bool same(const Aabb& one, const Aabb& other) {
+  return std::memcmp(&one, &other, sizeof(Aabb)) == 0;
+}
+
+bool encloses(const Aabb& hull, const Aabb& box) {
+  bool enclosed = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    enclosed = enclosed && hull.min[axis] <= box.min[axis] && box.max[axis] <= hull.max[axis];
+  return enclosed;
+}
+
+Aabb along_x(const Aabb& box, float by) {
+  return {{box.min[0] + by, box.min[1], box.min[2]}, {box.max[0] + by, box.max[1], box.max[2]}};
+}
+
+/// Bodies by slot, what happens to them, and the fat boxes as the changes so far say that they are.
+class FatBoxesTest : public testing::TestWithParam<unsigned> {
+ protected:
+  void insert(Slot slot, const Aabb& box) {
+    if (slot >= boxes_.size()) boxes_.resize(slot + 1, kNobody);
+    boxes_[slot] = box;
+    inserted_.push_back(slot);
+  }
+  void insert(const std::vector<Aabb>& boxes) {
+    for (const Aabb& box : boxes) insert(static_cast<Slot>(boxes_.size()), box);
+  }
+  void move(Slot slot, const Aabb& box) { moved_.push_back({std::exchange(boxes_[slot], box), slot}); }
+  void remove(Slot slot) { removed_.push_back({std::exchange(boxes_[slot], kNobody), slot}); }
+
+  std::size_t bodies() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(boxes_, [](const Aabb& box) { return !std::isnan(box.min[0]); }));
+  }
+
+  /// Hands over what happened. Checks what is listed, and that fat boxes enclose boxes.
+  Extent take(std::size_t most_listed = kAny) {
+    const Extent extent = fat_.take(crew_, {boxes_, removed_, moved_, inserted_, bodies()}, most_listed);
+    const Aabb* const fat = fat_.data(boxes_);
+    if (extent == Extent::listed) apply(fat_.changes());
+    if (extent == Extent::all) known_.assign(fat, fat + boxes_.size());
+    known_.resize(boxes_.size(), kNobody);
+    for (Slot slot = 0; slot < boxes_.size(); ++slot) {
+      EXPECT_TRUE(same(fat[slot], known_[slot])) << "slot " << slot << " has a fat box that was not listed";
+      EXPECT_TRUE(std::isnan(boxes_[slot].min[0]) ? same(fat[slot], kNobody)
+                                                  : encloses(fat[slot], boxes_[slot]));
+    }
+    moved_.clear();
+    removed_.clear();
+    inserted_.clear();
+    return extent;
+  }
+
+  std::size_t listed() const { return fat_.changes().size(); }
+
+  /// The fat box as it is.
+  const Aabb& fat(Slot slot) const { return known_[slot]; }
+
+  Crew crew_{std::make_shared<ThreadPool>(GetParam()), GetParam(), Crew::Choice::given};
+  FatBoxes fat_;
+  std::vector<Aabb> boxes_;
+
+ private:
+  void apply(std::span<const FatBoxChange> changes) {
+    known_.resize(boxes_.size(), kNobody);
+    std::set<Slot> slots;
+    for (const FatBoxChange& change : changes) {
+      EXPECT_TRUE(slots.insert(change.slot).second) << "a slot is listed twice";
+      EXPECT_TRUE(change.was || change.is);
+      EXPECT_TRUE(same(change.old_box, known_[change.slot])) << "slot " << change.slot;
+      EXPECT_EQ(change.was, !same(change.old_box, kNobody));
+      EXPECT_EQ(change.is, !same(change.new_box, kNobody));
+      known_[change.slot] = change.new_box;
+    }
+  }
+
+  std::vector<ChangedBody> moved_;
+  std::vector<ChangedBody> removed_;
+  std::vector<Slot> inserted_;
+  std::vector<Aabb> known_;
+};
+
+TEST_P(FatBoxesTest, AreTheBoxesThemselvesUntilABodyMoves) {
+  insert(uniform_boxes(50, 1));
+  EXPECT_EQ(take(0), Extent::all);
+  EXPECT_FALSE(fat_.have_slack());
+  EXPECT_EQ(fat_.data(boxes_), boxes_.data());
+  insert({along_x(boxes_[0], 30)});
+  remove(3);
+  EXPECT_EQ(take(), Extent::listed);
+  EXPECT_FALSE(fat_.have_slack());
+  EXPECT_EQ(listed(), 2U);
+  move(5, along_x(boxes_[5], 0.1F));
+  EXPECT_EQ(take(), Extent::listed);
+  EXPECT_TRUE(fat_.have_slack());
+  EXPECT_EQ(listed(), 1U);
+}
+
+TEST_P(FatBoxesTest, OfThoseThatMoveReachAhead) {
+  insert(uniform_boxes(50, 1));
+  take(0);
+  const Aabb before = boxes_[5];
+  move(5, along_x(before, 0.05F));
+  ASSERT_EQ(take(), Extent::listed);
+  const FatBoxChange change = fat_.changes()[0];
+  EXPECT_EQ(change.slot, 5U);
+  EXPECT_TRUE(change.was && change.is);
+  EXPECT_TRUE(same(change.old_box, before));
+  EXPECT_TRUE(encloses(change.new_box, along_x(before, 0.2F)));
+  for (int step = 2; step <= 4; ++step) {
+    move(5, along_x(before, 0.05F * static_cast<float>(step)));
+    EXPECT_EQ(take(), Extent::inside);
+    EXPECT_EQ(listed(), 0U);
+  }
+  move(5, along_x(before, -1));
+  EXPECT_EQ(take(), Extent::listed);
+}
+
+TEST_P(FatBoxesTest, OfABodyThatMovedToWhereItIsStaysTheSame) {
+  insert(uniform_boxes(10, 1));
+  take(0);
+  move(5, boxes_[5]);
+  EXPECT_EQ(take(), Extent::inside);
+  EXPECT_TRUE(same(fat(5), boxes_[5]));
+}
+
+TEST_P(FatBoxesTest, AreListedForBodiesThatCameAndWent) {
+  insert(uniform_boxes(10, 1));
+  take(0);
+  move(1, along_x(boxes_[1], 0.1F));
+  take();
+  const Aabb fat_before = fat(1);
+  ASSERT_FALSE(same(fat_before, boxes_[1]));
+  remove(1);
+  remove(2);
+  insert(10, {{50, 0, 0}, {51, 1, 1}});
+  EXPECT_EQ(take(), Extent::listed);
+  ASSERT_EQ(listed(), 3U);
+  EXPECT_TRUE(same(fat_.changes()[0].old_box, fat_before)) << "it leaves the cells that its fat box was in";
+  insert(1, {{60, 0, 0}, {61, 1, 1}});
+  EXPECT_EQ(take(), Extent::listed);
+  EXPECT_TRUE(same(fat(1), boxes_[1]));
+}
+
+TEST_P(FatBoxesTest, AreListedOneByOneUpToAsManyAsThereMayBe) {
+  insert(uniform_boxes(40, 1));
+  take(0);
+  for (Slot slot = 0; slot < 5; ++slot) move(slot, along_x(boxes_[slot], 5));
+  remove(10);
+  insert({boxes_[0]});
+  EXPECT_EQ(take(7), Extent::listed);
+  EXPECT_EQ(listed(), 7U);
+  for (Slot slot = 0; slot < 5; ++slot) move(slot, along_x(boxes_[slot], 5));
+  remove(11);
+  insert({boxes_[0]});
+  EXPECT_EQ(take(6), Extent::all);
+  EXPECT_EQ(listed(), 0U);
+  for (Slot slot = 0; slot < 30; ++slot) {
+    if (!std::isnan(boxes_[slot].min[0])) move(slot, along_x(boxes_[slot], 0.001F));
+  }
+  take(kAny);
+}
+
+TEST_P(FatBoxesTest, AreAllMadeAnewForThoseThatMoveWhenTooManyLeaveTheirs) {
+  insert(uniform_boxes(60, 1));
+  take(0);
+  for (Slot slot = 0; slot < 60; ++slot) move(slot, along_x(boxes_[slot], 0.05F));
+  EXPECT_EQ(take(10), Extent::all);
+  EXPECT_TRUE(fat_.have_slack());
+  for (int step = 0; step < 8; ++step) {
+    for (Slot slot = 0; slot < 60; ++slot) move(slot, along_x(boxes_[slot], 0.049F));
+    EXPECT_EQ(take(10), Extent::inside) << "step " << step;
+  }
+}
+
+TEST_P(FatBoxesTest, DoNotAllEndAtOnce) {
+  insert(std::vector<Aabb>(400, Aabb{{0, 0, 0}, {1, 1, 1}}));
+  take(0);
+  std::vector<std::size_t> changed;
+  for (int step = 0; step < 30; ++step) {
+    for (Slot slot = 0; slot < 400; ++slot) move(slot, along_x(boxes_[slot], 0.01F));
+    changed.push_back(take() == Extent::inside ? 0 : listed());
+  }
+  EXPECT_EQ(changed[0], 400U);
+  EXPECT_LT(*std::max_element(changed.begin() + 1, changed.end()), 200U);
+}
+
+TEST_P(FatBoxesTest, AreTheBoxesAgainWhenSlackIsDropped) {
+  insert(uniform_boxes(500, 1));
+  take(0);
+  for (Slot slot = 0; slot < 500; ++slot) move(slot, along_x(boxes_[slot], 0.05F));
+  take(0);
+  ASSERT_TRUE(fat_.have_slack());
+  const std::size_t bytes = fat_.bytes();
+  fat_.drop_slack();
+  EXPECT_FALSE(fat_.have_slack());
+  EXPECT_EQ(fat_.data(boxes_), boxes_.data());
+  EXPECT_LE(fat_.bytes() + 500 * sizeof(Aabb), bytes) << "their memory is given back";
+}
+
+TEST_P(FatBoxesTest, EncloseTheirBoxesThroughAnyChanges) {
+  contract::Random random(1);
+  insert(uniform_boxes(200, 2));
+  take(0);
+  for (int step = 0; step < 300; ++step) {
+    std::set<Slot> changed;
+    for (std::size_t i = random.below(step % 10 == 0 ? 150 : 12); i > 0; --i) {
+      const auto slot = static_cast<Slot>(random.below(boxes_.size() + 2));
+      if (!changed.insert(slot).second) continue;
+      if (slot >= boxes_.size() || std::isnan(boxes_[slot].min[0])) {
+        insert(slot, cube_in(random, 1, 20));
+      } else if (random.one_in(6)) {
+        remove(slot);
+      } else {
+        move(slot,
+             random.one_in(8) ? cube_in(random, 1, 20) : along_x(boxes_[slot], random.between(-0.2F, 0.2F)));
+      }
+    }
+    if (changed.empty()) continue;
+    const std::size_t most = random.one_in(4) ? 3 : kAny;
+    const Extent extent = take(most);
+    EXPECT_TRUE(extent != Extent::listed || listed() <= most);
+    if (HasFailure()) return;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Workers, FatBoxesTest, testing::Values(1U, 3U));
+
+}  // namespace
+}  // namespace cellsweep::stream

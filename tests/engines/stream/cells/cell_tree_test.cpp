@@ -1,0 +1,168 @@
+/// @file
+/// The tree of cells: all pairs when it is built, and those that began and ended when boxes change.
+#include "engines/stream/cells/cell_tree.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "contract/box_kinds.h"
+#include "engines/oracle/brute_force.h"
+#include "engines/stream/worlds.h"
+
+namespace cellsweep::stream {
+namespace {
+
+using contract::Random;
+
+constexpr std::size_t kAny = ~std::size_t{0};
+
+using Keys64 = std::multiset<std::uint64_t>;
+
+Keys64 keys_in(KeyParts parts) {
+  Keys64 keys;
+  for (const auto part : parts) keys.insert(part.begin(), part.end());
+  return keys;
+}
+
+/// A slot without a body has a box that overlaps nothing.
+Keys64 truth_of(const std::vector<Aabb>& boxes) {
+  Keys64 keys;
+  for (const Pair& pair : brute_force_pairs(boxes)) keys.insert(pair_key(pair));
+  return keys;
+}
+
+/// A tree, the boxes that it holds, and their pairs.
+class CellTreeTest : public testing::TestWithParam<unsigned> {
+ protected:
+  void build(const std::vector<Aabb>& boxes) {
+    boxes_ = boxes;
+    tree_.build({boxes_.data(), boxes_.size()});
+    pairs_ = truth_of(boxes_);
+    ASSERT_EQ(keys_in(tree_.found()), pairs_);
+  }
+
+  /// A body gets another box, comes or goes; kNobody is none.
+  void change(Slot slot, const Aabb& box) {
+    const bool was = boxes_[slot].min[0] <= boxes_[slot].max[0];
+    const bool is = box.min[0] <= box.max[0];
+    if (was || is) changes_.push_back({slot, was, is, boxes_[slot], box});
+    boxes_[slot] = box;
+  }
+
+  /// Brings the changes in, each slot once; expects that the pairs follow.
+  void take_changes() {
+    tree_.change(changes_);
+    changes_.clear();
+    const Keys64 began = keys_in(tree_.began());
+    const Keys64 ended = keys_in(tree_.ended());
+    Keys64 next = pairs_;
+    next.insert(began.begin(), began.end());
+    for (const std::uint64_t key : ended) {
+      ASSERT_TRUE(next.contains(key)) << "a pair ended that there was not";
+      next.erase(next.find(key));
+    }
+    pairs_ = truth_of(boxes_);
+    ASSERT_EQ(next, pairs_);
+  }
+
+  Crew crew_{std::make_shared<ThreadPool>(GetParam()), GetParam(), Crew::Choice::given};
+  CellTree tree_{crew_, *find_kernels(VectorIsa::best)};
+  std::vector<Aabb> boxes_;
+  std::vector<FatBoxChange> changes_;
+  Keys64 pairs_;
+};
+
+TEST_P(CellTreeTest, OfNobodyHasNoPairs) {
+  build({});
+  build(std::vector<Aabb>(40, kNobody));
+  EXPECT_EQ(tree_.pieces(), 1U);
+}
+
+TEST_P(CellTreeTest, FindsEachPairOnceOnEveryKindOfBoxes) {
+  Random random(1);
+  for (const contract::BoxKind& kind : contract::box_kinds()) {
+    for (const std::size_t count : {1, 2, 7, 8, 9, 100, 700}) {
+      std::vector<Aabb> boxes = make_boxes(kind, random, count);
+      for (Aabb& box : boxes) box = random.one_in(9) ? kNobody : contract::canonical_box(box);
+      SCOPED_TRACE(testing::Message() << count << " of kind " << kind);
+      ASSERT_NO_FATAL_FAILURE(build(boxes));
+    }
+  }
+}
+
+TEST_P(CellTreeTest, CutsALargeWorldIntoPieces) {
+  build(uniform_boxes(8000, 1));
+  EXPECT_GT(tree_.pieces(), 50U);
+  EXPECT_GE(tree_.copies(), boxes_.size());
+  EXPECT_LE(tree_.copies(), 8 * boxes_.size());
+  EXPECT_GT(tree_.bytes(), boxes_.size() * sizeof(Aabb));
+}
+
+TEST_P(CellTreeTest, GivesMemoryBackWhenItIsBuiltForFew) {
+  build(uniform_boxes(8000, 1));
+  const std::size_t full = tree_.bytes();
+  build(uniform_boxes(20, 1));
+  build(uniform_boxes(20, 1));
+  EXPECT_LT(tree_.bytes(), full / 2);
+}
+
+TEST_P(CellTreeTest, FollowsBodiesThatMoveComeAndGo) {
+  Random random(2);
+  for (const contract::BoxKind& kind : contract::box_kinds()) {
+    SCOPED_TRACE(testing::Message() << kind);
+    std::vector<Aabb> boxes = make_boxes(kind, random, 400);
+    for (Aabb& box : boxes) box = random.one_in(9) ? kNobody : contract::canonical_box(box);
+    ASSERT_NO_FATAL_FAILURE(build(boxes));
+    for (int round = 0; round < 8; ++round) {
+      const std::size_t seldom = round % 4 == 0 ? 2 : 30;
+      for (Slot slot = 0; slot < boxes_.size(); ++slot) {
+        if (!random.one_in(seldom)) continue;
+        const bool is_nobody = !(boxes_[slot].min[0] <= boxes_[slot].max[0]);
+        const Aabb next = is_nobody ? kind.make(random, slot, 400)
+                                    : contract::next_box(kind, random, boxes_[slot], boxes_[slot]);
+        change(slot, random.one_in(5) ? kNobody : contract::canonical_box(next));
+      }
+      ASSERT_NO_FATAL_FAILURE(take_changes());
+    }
+  }
+}
+
+TEST_P(CellTreeTest, HasRoomForNewBodiesInCellsThatWereFull) {
+  build(uniform_boxes(2000 / kScale, 3));
+  const std::vector<Aabb> others = uniform_boxes(500, 4);
+  boxes_.resize(boxes_.size() + 500, kNobody);
+  for (std::size_t i = 0; i < 500; ++i)
+    change(static_cast<Slot>(boxes_.size() - 500 + i), i % 2 == 0 ? others[i] : Aabb{{3, 3, 3}, {4, 4, 4}});
+  take_changes();
+}
+
+TEST_P(CellTreeTest, ChangesNothingWhenNothingChanges) {
+  build(uniform_boxes(500, 5));
+  take_changes();
+  change(3, boxes_[3]);
+  take_changes();
+}
+
+TEST_P(CellTreeTest, StopsAtMorePairsThanThereMayBe) {
+  const std::vector<Aabb> heap(3000, Aabb{{1, 1, 1}, {2, 2, 2}});
+  tree_.limit_pairs(10'000);
+  EXPECT_THROW(tree_.build({heap.data(), heap.size()}), TooManyPairs);
+  tree_.limit_pairs(kAny);
+  build(uniform_boxes(500, 6));
+  boxes_.resize(3000, kNobody);
+  tree_.limit_pairs(10'000);
+  for (Slot slot = 500; slot < 3000; ++slot) change(slot, {{1, 1, 1}, {2, 2, 2}});
+  EXPECT_THROW(tree_.change(changes_), TooManyPairs);
+  changes_.clear();
+  tree_.limit_pairs(kAny);
+  build(uniform_boxes(500, 7));
+}
+
+INSTANTIATE_TEST_SUITE_P(Workers, CellTreeTest, testing::Values(1U, 3U));
+
+}  // namespace
+}  // namespace cellsweep::stream

@@ -1,0 +1,87 @@
+/// @file
+/// Keys that grow as kernels write them, up to as many as there may be.
+#include "engines/stream/cells/keys.h"
+
+#include <gmock/gmock.h>
+
+#include "base/memory/starved.h"
+
+namespace cellsweep::stream {
+namespace {
+
+void add(Keys& keys, std::uint64_t key) {
+  KeyBuffer& buffer = keys.buffer();
+  make_room(buffer, 1);
+  buffer.keys[buffer.size++] = key;
+}
+
+void add(Keys& keys, std::uint64_t first, std::uint64_t end) {
+  for (std::uint64_t key = first; key < end; ++key) add(keys, key);
+}
+
+void expect_numbers_below(const Keys& keys, std::uint64_t end) {
+  ASSERT_EQ(keys.view().size(), end);
+  for (std::uint64_t key = 0; key < end; ++key) ASSERT_EQ(keys.view()[key], key);
+}
+
+TEST(Keys, AreNoneAtFirst) {
+  Keys keys;
+  EXPECT_TRUE(keys.view().empty());
+  keys.clear();
+  EXPECT_TRUE(keys.view().empty());
+}
+
+TEST(Keys, KeepTheirOrderWhileTheyGrow) {
+  Keys keys;
+  add(keys, 0, 100'000);
+  expect_numbers_below(keys, 100'000);
+}
+
+TEST(Keys, HaveRoomForAsManyAsAreAskedForAtATime) {
+  Keys keys;
+  add(keys, 0);
+  make_room(keys.buffer(), 50'000);
+  EXPECT_GE(keys.buffer().capacity - keys.buffer().size, 50'000U);
+  expect_numbers_below(keys, 1);
+}
+
+TEST(Keys, KeepTheirRoomWhenTheyAreClearedAndMostOfItWasUsed) {
+  Keys keys;
+  add(keys, 0, 50'000);
+  const std::size_t capacity = keys.buffer().capacity;
+  keys.clear();
+  EXPECT_TRUE(keys.view().empty());
+  EXPECT_EQ(keys.buffer().capacity, capacity);
+  add(keys, 0, 100);
+  keys.clear();
+  EXPECT_EQ(keys.buffer().capacity, 0U) << "of which little was used the second time";
+  add(keys, 0, 100);
+  keys.clear();
+  EXPECT_GT(keys.buffer().capacity, 0U) << "little room is kept whatever it was used for";
+  add(keys, 0, 10);
+  expect_numbers_below(keys, 10);
+}
+
+TEST(Keys, GrowNoMoreWhenThereAreMoreThanThereMayBe) {
+  Keys keys;
+  keys.buffer().most = 5000;
+  EXPECT_THROW(add(keys, 0, 1'000'000), TooManyPairs);
+  const std::size_t size = keys.view().size();
+  EXPECT_GT(size, 5000U) << "as many as there may be are fine";
+  EXPECT_LT(size, 20'000U);
+  keys.clear();
+  add(keys, 0, 5000);
+  expect_numbers_below(keys, 5000);
+}
+
+TEST(Keys, AreAllThereWhenMemoryForMoreFailed) {
+  Keys keys;
+  add(keys, 0, 500);
+  EXPECT_TRUE(fails_at(1, [&] { make_room(keys.buffer(), 100'000); }));
+  expect_numbers_below(keys, 500);
+  add(keys, 500, 50'000);
+  expect_numbers_below(keys, 50'000);
+}
+
+}  // namespace
+}  // namespace cellsweep::stream

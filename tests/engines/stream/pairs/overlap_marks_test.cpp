@@ -1,0 +1,192 @@
+/// @file
+/// Which candidates overlap, tested all, or those with new boxes, or from the start.
+#include "engines/stream/pairs/overlap_marks.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "base/thread_pool.h"
+#include "base/tuning.h"
+#include "engines/stream/worlds.h"
+
+namespace cellsweep::stream {
+namespace {
+
+using Pairs = std::vector<SlotPair>;
+using testing::IsEmpty;
+
+/// Boxes, candidates among them, and which of them overlap.
+class OverlapMarksTest : public testing::TestWithParam<unsigned> {
+ protected:
+  OverlapMarksTest() : boxes_(uniform_boxes(300, 1)), fresh_(boxes_.size(), 0) {}
+
+  /// Adds some candidates and takes others away.
+  void change_candidates(std::size_t steps) {
+    const Pairs before = candidates_;
+    std::set<SlotPair> set(before.begin(), before.end());
+    for (std::size_t i = 0; i < steps; ++i) {
+      const auto a = static_cast<Slot>(random_.below(boxes_.size() - 1));
+      const SlotPair pair{a, static_cast<Slot>(a + 1 + random_.below(boxes_.size() - 1 - a))};
+      if (!set.erase(pair)) set.insert(pair);
+    }
+    replace_candidates({set.begin(), set.end()});
+  }
+
+  // A candidate that is new is one because a box of it is.
+  void replace_candidates(const Pairs& next) {
+    const Pairs before = std::exchange(candidates_, next);
+    began_.clear();
+    ended_.clear();
+    std::ranges::set_difference(candidates_, before, std::back_inserter(began_));
+    std::ranges::set_difference(before, candidates_, std::back_inserter(ended_));
+    for (const SlotPair& pair : began_) fresh_[pair.a] = 1;
+  }
+
+  void move_some() {
+    std::ranges::fill(fresh_, std::uint8_t{0});
+    for (std::size_t i = random_.below(4); i < boxes_.size(); i += 4) {
+      boxes_[i] = cube_in(random_, 6, 13);
+      fresh_[i] = 1;
+    }
+  }
+
+  Pairs truth() const {
+    Pairs pairs;
+    for (const SlotPair& pair : candidates_) {
+      if (overlap(boxes_[pair.a], boxes_[pair.b])) pairs.push_back(pair);
+    }
+    return pairs;
+  }
+
+  Pairs marked() const {
+    Array<SlotPair> list;
+    marks_.list_marked(candidates_, list);
+    return {list.view().begin(), list.view().end()};
+  }
+
+  void test_all() {
+    marks_.test_all(crew_, candidates_, boxes_.data());
+    EXPECT_EQ(marked(), truth());
+  }
+
+  /// Tests those with new boxes, or all; expects right marks, and right changes.
+  void refresh(bool fresh_ones) {
+    const Pairs& before = known_;
+    const TestedBoxes tested{boxes_.data(), fresh_ones ? fresh_.data() : nullptr};
+    const SlotPairChanges changes = marks_.refresh(crew_, candidates_, {began_, ended_}, tested);
+    const Pairs now = truth();
+    Pairs began;
+    Pairs ended;
+    std::ranges::set_difference(now, before, std::back_inserter(began));
+    std::ranges::set_difference(before, now, std::back_inserter(ended));
+    EXPECT_TRUE(std::ranges::equal(changes.began, began));
+    EXPECT_TRUE(std::ranges::equal(changes.ended, ended));
+    EXPECT_EQ(marked(), now);
+    known_ = now;
+  }
+
+  contract::Random random_{2};
+  Crew crew_{std::make_shared<ThreadPool>(GetParam()), GetParam(), Crew::Choice::given};
+  std::vector<Aabb> boxes_;
+  std::vector<std::uint8_t> fresh_;
+  Pairs candidates_, began_, ended_;
+  Pairs known_;  // that overlapped at the last test
+  OverlapMarks marks_;
+};
+
+TEST_P(OverlapMarksTest, AreAllSetAtTheStart) {
+  marks_.start(0);
+  EXPECT_THAT(marked(), IsEmpty());
+  change_candidates(400);
+  marks_.start(candidates_.size());
+  EXPECT_EQ(marked(), candidates_);
+}
+
+TEST_P(OverlapMarksTest, SayWhichOverlapWhenAllAreTested) {
+  test_all();
+  for (int round = 0; round < 20; ++round) {
+    change_candidates(100);
+    move_some();
+    test_all();
+  }
+  EXPECT_GT(marked().size(), 10U);
+}
+
+TEST_P(OverlapMarksTest, TellWhatBeganAndEndedWhicheverWayTheyAreTested) {
+  change_candidates(400);
+  test_all();
+  known_ = truth();
+  for (int round = 0; round < 100 && !HasFailure(); ++round) {
+    move_some();
+    change_candidates(random_.below(3) * 20);
+    refresh(round % 2 == 0);
+  }
+  EXPECT_GT(known_.size(), 10U);
+}
+
+TEST_P(OverlapMarksTest, TellWhatEndedWhereAllCandidatesEnd) {
+  change_candidates(400);
+  test_all();
+  known_ = truth();
+  replace_candidates({});
+  refresh(false);
+  change_candidates(400);
+  refresh(true);
+  replace_candidates({candidates_[7]});
+  refresh(true);
+}
+
+// Whichever share of the candidates it falls into, and behind or before all that there are.
+TEST_P(OverlapMarksTest, TellWhatASingleChangeDid) {
+  change_candidates(60);
+  test_all();
+  known_ = truth();
+  const Pairs all = candidates_;
+  for (std::size_t gone = 0; gone < all.size(); ++gone) {
+    Pairs others = all;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(gone));
+    replace_candidates(others);
+    refresh(false);
+    replace_candidates(all);
+    std::ranges::fill(fresh_, std::uint8_t{0});
+    fresh_[all[gone].b] = 1;
+    refresh(true);
+  }
+}
+
+TEST_P(OverlapMarksTest, AreAsGoodForFewerCandidatesThanWorkers) {
+  for (std::size_t count = 0; count < 5; ++count) {
+    Pairs few;
+    for (Slot slot = 0; slot < count; ++slot) few.push_back({slot, slot + 1});
+    replace_candidates(few);
+    refresh(false);
+    move_some();
+    began_.clear();
+    ended_.clear();
+    refresh(true);
+    test_all();
+    known_ = truth();
+  }
+}
+
+// Of that many, boxes are asked for ahead of time.
+TEST_P(OverlapMarksTest, AreAsGoodForVeryManyCandidates) {
+  change_candidates(5 * tuning::kFar);
+  ASSERT_GE(candidates_.size(), tuning::kFar);
+  test_all();
+  known_ = truth();
+  for (int round = 0; round < 4; ++round) {
+    move_some();
+    change_candidates(round % 2 == 0 ? 0 : 300);
+    refresh(false);
+  }
+  EXPECT_GE(marks_.bytes(), candidates_.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Workers, OverlapMarksTest, testing::Values(1U, 3U));
+
+}  // namespace
+}  // namespace cellsweep::stream
