@@ -150,7 +150,8 @@ std::size_t Collider::bytes() const {
 // The C library's functions are watched whoever calls them; what these two do with them between their own
 // threads is theirs. So is the memory that their threads get by posix_memalign() and that the main thread
 // gives back at the end of the program; of ours only SPU programs call it, for memory of one thread.
-extern "C" const char* __tsan_default_suppressions() {  // NOLINT: the sanitizer's name
+// Shown, because the sanitizer's shared library looks for it.
+extern "C" [[gnu::visibility("default")]] const char* __tsan_default_suppressions() {  // NOLINT: its name
   return "called_from_lib:libembree3.so.3\n"
          "called_from_lib:libtbb.so.12\n"
          "race_top:^posix_memalign$\n";
