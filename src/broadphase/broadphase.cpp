@@ -51,12 +51,24 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
     return traced("update", [&] { return update_now(); });
   }
 
-  std::string_view name() const { return parts_.name; }
-  const Capacity& capacity() const { return capacity_; }
-  const Bodies& bodies() const { return bodies_; }
-  std::span<const Pair> pairs() const { return pairs_.pairs(); }
-  const Statistics& statistics() const { return statistics_; }
-  Engine& engine() { return *engine_; }
+  std::string_view name() const {
+    return parts_.name;
+  }
+  const Capacity& capacity() const {
+    return capacity_;
+  }
+  const Bodies& bodies() const {
+    return bodies_;
+  }
+  std::span<const Pair> pairs() const {
+    return pairs_.pairs();
+  }
+  const Statistics& statistics() const {
+    return statistics_;
+  }
+  Engine& engine() {
+    return *engine_;
+  }
 
  private:
   /// Takes the changes out of the boxes again, unless the update has come to its end.

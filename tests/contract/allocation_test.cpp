@@ -62,8 +62,8 @@ TEST_P(AllocationContract, ABroadphaseIsMadeOrIsNot) {
   EXPECT_TRUE(GetParam().make().ok());
 }
 
-/// Those of the core: Embree's own library ends the program where operator new throws, and an SPE's thread may be
-/// what finds no memory.
+/// Those of the core: Embree's own library ends the program where operator new throws, and an SPE's thread
+/// may be what finds no memory.
 auto engines_of_the_core() {
   std::vector<ContractEngine> engines = contract_engines();
   std::erase_if(engines, [](const ContractEngine& engine) {
