@@ -57,9 +57,15 @@ inline bool same_bits(const BoxLanes& one, const BoxLanes& other) {
 
 /// Lanes that canonical() leaves as they are, and that are finite.
 inline Int4 clean_lanes(Float4 values) {
-  const Int4 bits = reinterpret_cast<Int4>(values);
-  const Int4 magnitude = bits & 0x7fffffff;
-  return (bits == 0) | ((magnitude > 0x007fffff) & (magnitude < 0x7f800000));
+  // Twice the bits, which is without the sign, from twice the least normal number up to twice infinity; the
+  // shift puts that range at the lower end of the signed numbers.
+  constexpr std::uint32_t kLeast = 0x01000000;
+  constexpr std::uint32_t kSpan = 0xff000000 - kLeast;
+  constexpr std::uint32_t kShift = 0x80000000;
+  using Unsigned4 [[gnu::vector_size(16)]] = std::uint32_t;
+  const auto bits = reinterpret_cast<Unsigned4>(values);
+  const auto shifted = reinterpret_cast<Int4>(bits + bits + (kShift - kLeast));
+  return (shifted < static_cast<std::int32_t>(kSpan - kShift)) | reinterpret_cast<Int4>(bits == 0);
 }
 
 /// Lanes whose values are clean_lanes(), the minimum not above the maximum.

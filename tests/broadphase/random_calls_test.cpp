@@ -29,15 +29,15 @@ class PlainEngine {
   void take(const BodyChanges& changes) {
     boxes_.resize(changes.boxes.size(), kNobody);
     std::set<Slot> changed;
-    for (const ChangedBody& body : changes.removed) {
-      EXPECT_EQ(bits(boxes_[body.slot]), bits(body.before));
-      EXPECT_TRUE(changed.insert(body.slot).second);
-      boxes_[body.slot] = kNobody;
+    for (const Slot slot : changes.removed) {
+      EXPECT_EQ(bits(boxes_[slot]), bits(changes.before[slot]));
+      EXPECT_TRUE(changed.insert(slot).second);
+      boxes_[slot] = kNobody;
     }
-    for (const ChangedBody& body : changes.moved) {
-      EXPECT_EQ(bits(boxes_[body.slot]), bits(body.before));
-      EXPECT_TRUE(changed.insert(body.slot).second);
-      boxes_[body.slot] = changes.boxes[body.slot];
+    for (const Slot slot : changes.moved) {
+      EXPECT_EQ(bits(boxes_[slot]), bits(changes.before[slot]));
+      EXPECT_TRUE(changed.insert(slot).second);
+      boxes_[slot] = changes.boxes[slot];
     }
     for (const Slot slot : changes.inserted) {
       EXPECT_EQ(bits(boxes_[slot]), bits(kNobody));
@@ -54,8 +54,8 @@ class PlainEngine {
     const std::set<SlotPair> before = std::exchange(pairs_, compare());
     // The pairs of a body in a slot that was another's are others.
     std::set<SlotPair> kept = before;
-    for (const ChangedBody& body : changes.removed)
-      std::erase_if(kept, [&](const SlotPair& pair) { return pair.a == body.slot || pair.b == body.slot; });
+    for (const Slot slot : changes.removed)
+      std::erase_if(kept, [&](const SlotPair& pair) { return pair.a == slot || pair.b == slot; });
     began_.clear();
     ended_.clear();
     std::ranges::set_difference(pairs_, kept, std::back_inserter(began_));

@@ -17,17 +17,12 @@
 
 namespace cellsweep {
 
-/// A body that had another box, or was there, at the last update.
-struct ChangedBody {
-  Aabb before;
-  Slot slot = kNoSlot;
-};
-
 /// What happened since the last update that succeeded. A slot is in one list at most, and there once.
 struct BodyChanges {
-  std::span<const Aabb> boxes;           ///< as they are now, by slot; kNobody where nobody is
-  std::span<const ChangedBody> removed;  ///< the slot is given to nobody else before the next update
-  std::span<const ChangedBody> moved;    ///< the box may be the one before again
+  std::span<const Aabb> boxes;    ///< as they are now, by slot; kNobody where nobody is
+  std::span<const Aabb> before;   ///< by slot, of the removed and the moved: what they had; anything of others
+  std::span<const Slot> removed;  ///< given to nobody else before the next update
+  std::span<const Slot> moved;    ///< the box may be the one before again
   std::span<const Slot> inserted;
   std::size_t bodies = 0;  ///< held now
 

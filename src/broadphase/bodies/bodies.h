@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/crew.h"
-#include "base/memory/list.h"
 #include "base/memory/memory.h"
 #include "broadphase/bodies/id_table.h"
 #include "broadphase/bodies/move_check.h"
+#include "broadphase/bodies/staged_boxes.h"
 #include "cellsweep/broadphase.h"
 #include "cellsweep/engine/engine.h"
 
@@ -34,7 +34,7 @@ class Bodies {
   Status boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const;
 
   /// By slot.
-  std::span<const Aabb> all_boxes() const { return boxes_; }
+  std::span<const Aabb> all_boxes() const { return boxes_.boxes(); }
 
   BodyChanges begin_update();
   void undo();
@@ -57,27 +57,16 @@ class Bodies {
 
  private:
   Status check_room(std::string_view engine, const Capacity& capacity, std::size_t more) const;
-  void swap_boxes();
-  void write_inserted(std::span<const Slot> slots, std::span<const Aabb> boxes, bool clean);
   bool check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
-  void run_checks(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes, Unmoved unmoved);
-  bool checks_ascend(unsigned workers) const;
-  void gather_moves(Crew& crew, std::size_t first, std::size_t count);
-  void keep_moves(std::size_t first);
-  void move_again(const ChangedBody& body);
-  void forget_move(BodyState state);
+  MovedBodies checked_moves(const Crew& crew, std::span<const Aabb> boxes) const;
 
   IdTable table_;
-  Vector<Aabb> boxes_;         // by slot: of the last update; of a new body the one that it begins with
-  Vector<BodyState> states_;   // by slot
-  List<ChangedBody> moved_;    // with the boxes that they get; from begin_update() on, that they had
-  List<ChangedBody> removed_;  // with kNobody; from then on with the boxes that they had
+  StagedBoxes boxes_;
   Vector<Slot> inserted_;
-  bool some_unseen_ = false;             // some of the inserted were removed again, and are kGone
-  Vector<Slot> slots_;                   // of the call, or of all_as_new()
-  std::vector<MoveCheck> checks_;        // by worker
-  bool ascended_ = true;                 // the slots of the last call of move()
-  Unmoved unmoved_ = Unmoved::left_out;  // by the checks of the call
+  bool some_unseen_ = false;       // some of the inserted were removed again, and are kGone
+  Vector<Slot> moved_;             // slots of the last call of move(), and whatever was behind them before
+  Vector<Slot> slots_;             // of a call of add(), or of all_as_new()
+  std::vector<MoveCheck> checks_;  // by worker
 };
 
 }  // namespace cellsweep

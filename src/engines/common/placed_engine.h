@@ -44,7 +44,7 @@ class PlacedEngine : public Engine {
   void take_removed(const BodyChanges& changes) {
     if (changes.removed.empty()) return;
     scratch_.clear();
-    for (const ChangedBody& body : changes.removed) scratch_.push_back(places_[body.slot]);
+    for (const Slot slot : changes.removed) scratch_.push_back(places_[slot]);
     apply_remove(scratch_);
     free_.insert(free_.end(), scratch_.begin(), scratch_.end());
   }
@@ -53,9 +53,9 @@ class PlacedEngine : public Engine {
     if (changes.moved.empty()) return;
     scratch_.clear();
     boxes_.clear();
-    for (const ChangedBody& body : changes.moved) {
-      scratch_.push_back(places_[body.slot]);
-      boxes_.push_back(changes.boxes[body.slot]);
+    for (const Slot slot : changes.moved) {
+      scratch_.push_back(places_[slot]);
+      boxes_.push_back(changes.boxes[slot]);
     }
     apply_move(scratch_, boxes_);
   }

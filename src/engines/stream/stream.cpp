@@ -247,7 +247,7 @@ SlotPairChanges Stream::refresh_marks(const BodyChanges& changes, const SlotPair
 }
 
 void Stream::mark_fresh(const BodyChanges& changes, std::uint8_t mark) {
-  for (const ChangedBody& body : changes.moved) fresh_[body.slot] = mark;
+  for (const Slot slot : changes.moved) fresh_[slot] = mark;
   for (const Slot slot : changes.inserted) fresh_[slot] = mark;
 }
 

@@ -70,14 +70,15 @@ inline Shown shown_in(const BodyChanges& changes, const IdTable& table) {
   Shown shown;
   for (const Aabb& box : changes.boxes) shown.boxes.push_back(bits(box));
   std::vector<int> lists(changes.boxes.size(), 0);
-  for (const ChangedBody& body : changes.removed) {
-    ++lists[body.slot];
-    shown.removed[body.slot] = bits(body.before);
-    EXPECT_EQ(shown.boxes[body.slot], bits(kNobody));
+  for (const Slot slot : changes.removed) {
+    ++lists[slot];
+    shown.removed[slot] = bits(changes.before[slot]);
+    EXPECT_EQ(shown.boxes[slot], bits(kNobody));
   }
-  for (const ChangedBody& body : changes.moved) {
-    ++lists[body.slot];
-    if (bits(body.before) != shown.boxes[body.slot]) shown.moved[body.slot] = bits(body.before);
+  for (const Slot slot : changes.moved) {
+    ++lists[slot];
+    const BoxBits before = bits(changes.before[slot]);
+    if (before != shown.boxes[slot]) shown.moved[slot] = before;
   }
   for (const Slot slot : changes.inserted) {
     ++lists[slot];

@@ -72,12 +72,12 @@ class Caller {
     return *this;
   }
   Caller& move(Slot slot, float x) {
-    moved_.push_back({boxes_[slot], slot});
+    moved_.push_back(slot);
     boxes_[slot] = box_at(x);
     return *this;
   }
   Caller& remove(Slot slot) {
-    removed_.push_back({boxes_[slot], slot});
+    removed_.push_back(slot);
     boxes_[slot] = kNobody;
     return *this;
   }
@@ -86,8 +86,9 @@ class Caller {
     engine_.calls.clear();
     Statistics statistics;
     bodies_ += inserted_.size() - removed_.size();
-    const BodyChanges changes{boxes_, removed_, moved_, inserted_, bodies_};
+    const BodyChanges changes{boxes_, before_, removed_, moved_, inserted_, bodies_};
     EXPECT_TRUE(engine_.update(changes, statistics).ok());
+    before_ = boxes_;
     removed_.clear();
     moved_.clear();
     inserted_.clear();
@@ -97,8 +98,9 @@ class Caller {
   Listener& engine_;
   std::size_t bodies_ = 0;
   std::vector<Aabb> boxes_;
-  std::vector<ChangedBody> removed_;
-  std::vector<ChangedBody> moved_;
+  std::vector<Aabb> before_;  // the boxes at the last update
+  std::vector<Slot> removed_;
+  std::vector<Slot> moved_;
   std::vector<Slot> inserted_;
 };
 

@@ -29,8 +29,8 @@ FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::siz
 // The boxes as they were: the cells hold these.
 void FatBoxes::make_slack(const BodyChanges& changes) {
   fat_.assign(changes.boxes.begin(), changes.boxes.end());
-  for (const ChangedBody& body : changes.moved) fat_[body.slot] = body.before;
-  for (const ChangedBody& body : changes.removed) fat_[body.slot] = body.before;
+  for (const Slot slot : changes.moved) fat_[slot] = changes.before[slot];
+  for (const Slot slot : changes.removed) fat_[slot] = changes.before[slot];
   slack_ = true;
 }
 
@@ -40,14 +40,14 @@ void FatBoxes::drop_slack() {
 }
 
 std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
-  const std::span<const ChangedBody> moved = changes.moved;
+  const std::span<const Slot> moved = changes.moved;
   escapes_.renew(moved.size());
   std::vector<std::size_t> counts(crew.active());
   crew.run([&](unsigned worker) {
     const Share share = Share::of(moved.size(), worker, crew.active());
     std::size_t count = 0;
     for (std::size_t i = share.first; i < share.last; ++i) {
-      const Slot slot = moved[i].slot;
+      const Slot slot = moved[i];
       const bool escapes = !encloses(BoxLanes(fat_[slot]), BoxLanes(changes.boxes[slot]));
       escapes_.data()[i] = escapes ? 1 : 0;
       count += escapes ? 1 : 0;
@@ -61,13 +61,13 @@ std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
 
 void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
   if (!slack_) return;
-  for (const ChangedBody& body : changes.removed) fat_[body.slot] = kNobody;
+  for (const Slot slot : changes.removed) fat_[slot] = kNobody;
   for (const Slot slot : changes.inserted) fat_[slot] = changes.boxes[slot];
   crew.run([&](unsigned worker) {
     const Share share = Share::of(changes.moved.size(), worker, crew.active());
     for (std::size_t i = share.first; i < share.last; ++i) {
-      const ChangedBody& body = changes.moved[i];
-      fat_[body.slot] = fat_box_of(body.before, changes.boxes[body.slot], tuning::kAllAhead);
+      const Slot slot = changes.moved[i];
+      fat_[slot] = fat_box_of(changes.before[slot], changes.boxes[slot], tuning::kAllAhead);
     }
   });
 }
@@ -75,28 +75,28 @@ void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
 void FatBoxes::list(const BodyChanges& changes, std::size_t count) {
   if (count == 0) return;
   changes_.reserve(count);
-  for (const ChangedBody& body : changes.removed) list_removed(body);
+  for (const Slot slot : changes.removed) list_removed(slot, changes.before[slot]);
   for (std::size_t i = 0; i < changes.moved.size(); ++i) {
-    const ChangedBody& body = changes.moved[i];
-    if (escapes_.data()[i] != 0) list_moved(body, changes.boxes[body.slot]);
+    const Slot slot = changes.moved[i];
+    if (escapes_.data()[i] != 0) list_moved(slot, changes.before[slot], changes.boxes[slot]);
   }
   for (const Slot slot : changes.inserted) list_inserted(slot, changes.boxes[slot]);
 }
 
-void FatBoxes::list_removed(const ChangedBody& body) {
-  changes_.push({body.slot, true, false, slack_ ? fat_[body.slot] : body.before, kNobody});
-  if (slack_) fat_[body.slot] = kNobody;
+void FatBoxes::list_removed(Slot slot, const Aabb& before) {
+  changes_.push({slot, true, false, slack_ ? fat_[slot] : before, kNobody});
+  if (slack_) fat_[slot] = kNobody;
 }
 
 // A body that leaves its fat box gets one for a number of updates that differs from body to body, so that
 // they do not all leave theirs at once.
-void FatBoxes::list_moved(const ChangedBody& body, const Aabb& now) {
+void FatBoxes::list_moved(Slot slot, const Aabb& before, const Aabb& now) {
   constexpr std::uint64_t kSpread = tuning::kOneAhead - tuning::kOneAheadAtLeast + 1;
-  const std::uint64_t chance = mix64(std::uint64_t{updates_} << 32 | body.slot);
+  const std::uint64_t chance = mix64(std::uint64_t{updates_} << 32 | slot);
   const auto ahead = static_cast<float>(tuning::kOneAheadAtLeast + chance % kSpread);
-  Aabb& fat = fat_[body.slot];
-  const Aabb grown = fat_box_of(body.before, now, ahead);
-  changes_.push({body.slot, true, true, fat, grown});
+  Aabb& fat = fat_[slot];
+  const Aabb grown = fat_box_of(before, now, ahead);
+  changes_.push({slot, true, true, fat, grown});
   fat = grown;
 }
 

@@ -58,8 +58,8 @@ class FatBoxes {
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
   void renew_all(Crew& crew, const BodyChanges& changes);
   void list(const BodyChanges& changes, std::size_t count);
-  void list_removed(const ChangedBody& body);
-  void list_moved(const ChangedBody& body, const Aabb& now);
+  void list_removed(Slot slot, const Aabb& before);
+  void list_moved(Slot slot, const Aabb& before, const Aabb& now);
   void list_inserted(Slot slot, const Aabb& now);
 
   Vector<Aabb> fat_;             // by slot; none while all are the boxes themselves

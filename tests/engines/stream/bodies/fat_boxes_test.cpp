@@ -48,8 +48,14 @@ class FatBoxesTest : public testing::TestWithParam<unsigned> {
   void insert(const std::vector<Aabb>& boxes) {
     for (const Aabb& box : boxes) insert(static_cast<Slot>(boxes_.size()), box);
   }
-  void move(Slot slot, const Aabb& box) { moved_.push_back({std::exchange(boxes_[slot], box), slot}); }
-  void remove(Slot slot) { removed_.push_back({std::exchange(boxes_[slot], kNobody), slot}); }
+  void move(Slot slot, const Aabb& box) {
+    boxes_[slot] = box;
+    moved_.push_back(slot);
+  }
+  void remove(Slot slot) {
+    boxes_[slot] = kNobody;
+    removed_.push_back(slot);
+  }
 
   std::size_t bodies() const {
     return static_cast<std::size_t>(
@@ -58,7 +64,8 @@ class FatBoxesTest : public testing::TestWithParam<unsigned> {
 
   /// Hands over what happened. Checks what is listed, and that fat boxes enclose boxes.
   Extent take(std::size_t most_listed = kAny) {
-    const Extent extent = fat_.take(crew_, {boxes_, removed_, moved_, inserted_, bodies()}, most_listed);
+    const Extent extent =
+        fat_.take(crew_, {boxes_, before_, removed_, moved_, inserted_, bodies()}, most_listed);
     const Aabb* const fat = fat_.data(boxes_);
     if (extent == Extent::listed) apply(fat_.changes());
     if (extent == Extent::all) known_.assign(fat, fat + boxes_.size());
@@ -68,6 +75,7 @@ class FatBoxesTest : public testing::TestWithParam<unsigned> {
       EXPECT_TRUE(std::isnan(boxes_[slot].min[0]) ? same(fat[slot], kNobody)
                                                   : encloses(fat[slot], boxes_[slot]));
     }
+    before_ = boxes_;
     moved_.clear();
     removed_.clear();
     inserted_.clear();
@@ -97,8 +105,9 @@ class FatBoxesTest : public testing::TestWithParam<unsigned> {
     }
   }
 
-  std::vector<ChangedBody> moved_;
-  std::vector<ChangedBody> removed_;
+  std::vector<Aabb> before_;  // the boxes at the last update
+  std::vector<Slot> moved_;
+  std::vector<Slot> removed_;
   std::vector<Slot> inserted_;
   std::vector<Aabb> known_;
 };

@@ -1,0 +1,204 @@
+#include "broadphase/bodies/staged_boxes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "base/memory/array.h"
+#include "geometry/box_lanes.h"
+#include "geometry/canonical.h"
+
+namespace cellsweep {
+namespace {
+
+/// Boxes given again are recognised so many at a time.
+constexpr std::size_t kBlock = 32;
+
+}  // namespace
+
+void StagedBoxes::reserve(std::size_t slots) {
+  make_room(boxes_, slots);
+  make_room(states_, slots);
+  if (!next_.empty()) make_room(next_, slots);
+}
+
+void StagedBoxes::insert(std::span<const Slot> slots, std::span<const Aabb> boxes, bool clean) {
+  if (clean && !slots.empty() && slots.front() == boxes_.size()) {
+    boxes_.insert(boxes_.end(), boxes.begin(), boxes.end());
+    states_.resize(boxes_.size(), kInserted);
+    return;
+  }
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    if (slots[i] == boxes_.size()) {
+      boxes_.push_back(kNobody);
+      states_.push_back(kGone);
+    }
+    boxes_[slots[i]] = canonical(boxes[i]);
+    states_[slots[i]] = kInserted;
+  }
+}
+
+void StagedBoxes::reserve_next() {
+  make_room(next_, boxes_.size());
+  next_.resize(boxes_.size());
+}
+
+void StagedBoxes::move(Crew& crew, const MovedBodies& bodies) {
+  const std::size_t count = bodies.slots.size();
+  const std::size_t before = moved_.size();
+  moved_.reserve(before + count);
+  std::vector<std::size_t> written(crew.active());
+  reserve_next();
+  Slot* const room = moved_.data() + before;
+  if (bodies.ascends) {
+    crew.run([&](unsigned worker) {
+      const Share share = Share::of(count, worker, crew.active());
+      written[worker] = move_share(bodies, share, room + share.first);
+    });
+  } else {
+    written[0] = move_share(bodies, {0, count}, room);
+  }
+  std::size_t end = written[0];
+  for (unsigned worker = 1; worker < crew.active(); ++worker) {
+    const Slot* from = room + Share::of(count, worker, crew.active()).first;
+    std::copy_n(from, written[worker], room + end);
+    end += written[worker];
+  }
+  moved_.set_size(before + end);
+}
+
+// Returns how many slots it wrote to the list.
+std::size_t StagedBoxes::move_share(const MovedBodies& bodies, Share share, Slot* moved) {
+  Slot* end = moved;
+  for (std::size_t first = share.first; first < share.last; first += kBlock) {
+    const std::size_t count = std::min(kBlock, share.last - first);
+    end = move_block({bodies.slots.subspan(first, count), bodies.boxes.subspan(first, count), bodies.clean,
+                      bodies.ascends},
+                     end);
+  }
+  return static_cast<std::size_t>(end - moved);
+}
+
+// Where one body of consecutive slots moves, its neighbours mostly do, too: what they have need not be read
+// then, for a body may be listed that stays.
+Slot* StagedBoxes::move_block(const MovedBodies& block, Slot* moved) {
+  const std::size_t count = block.slots.size();
+  const Slot first = block.slots[0];
+  const bool is_run = block.clean && block.ascends && block.slots[count - 1] - first == count - 1;
+  if (is_run && are_at_rest(first, count)) {
+    const std::size_t bytes = count * sizeof(Aabb);
+    if (std::memcmp(block.boxes.data(), &boxes_[first], bytes) == 0) return moved;
+    if (!same_bits(BoxLanes(block.boxes[0]), BoxLanes(boxes_[first]))) {
+      std::memcpy(&next_[first], block.boxes.data(), bytes);
+      std::memset(&states_[first], kMoved, count);
+      std::iota(moved, moved + count, first);
+      return moved + count;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    moved = move_one(block.slots[i], block.clean ? block.boxes[i] : canonical(block.boxes[i]), moved);
+  }
+  return moved;
+}
+
+bool StagedBoxes::are_at_rest(Slot first, std::size_t count) const {
+  static constexpr std::array<BodyState, kBlock> kAllAtRest{};
+  return std::memcmp(&states_[first], kAllAtRest.data(), count) == 0;
+}
+
+// A body that has moved already, to somewhere else, may be told to stay.
+Slot* StagedBoxes::move_one(Slot slot, const Aabb& box, Slot* moved) {
+  if (states_[slot] == kInserted) {
+    boxes_[slot] = box;
+    return moved;
+  }
+  next_[slot] = box;
+  if (states_[slot] == kMoved) return moved;
+  const bool differs = !same_bits(BoxLanes(box), BoxLanes(boxes_[slot]));
+  states_[slot] = differs ? kMoved : kAtRest;
+  *moved = slot;
+  return moved + (differs ? 1 : 0);
+}
+
+void StagedBoxes::reserve_removals(std::size_t count) {
+  removed_.reserve(removed_.size() + count);
+  reserve_next();
+}
+
+void StagedBoxes::remove(Slot slot) {
+  const BodyState state = std::exchange(states_[slot], kGone);
+  if (state == kInserted) {
+    boxes_[slot] = kNobody;
+    return;
+  }
+  some_moved_are_gone_ = some_moved_are_gone_ || state == kMoved;
+  next_[slot] = kNobody;
+  removed_.push(slot);
+}
+
+BodyChanges StagedBoxes::begin_update() {
+  if (some_moved_are_gone_) {
+    const auto is_gone = [&](Slot slot) { return states_[slot] == kGone; };
+    const auto end = std::remove_if(moved_.view().begin(), moved_.view().end(), is_gone);
+    moved_.set_size(static_cast<std::size_t>(end - moved_.view().begin()));
+    some_moved_are_gone_ = false;
+  }
+  swapped_all_ = moved_.size() > boxes_.size() / 2;
+  if (moved_.size() + removed_.size() > 0) next_.resize(boxes_.size());
+  if (swapped_all_) {
+    swap_all();
+  } else {
+    swap_changed();
+  }
+  return {boxes_, next_, removed_.view(), moved_.view(), {}, 0};
+}
+
+void StagedBoxes::swap_all() {
+  if (moved_.size() < boxes_.size()) {
+    for (Slot slot = 0; slot < boxes_.size(); ++slot) {
+      if (states_[slot] != kMoved) next_[slot] = boxes_[slot];
+    }
+    for (const Slot slot : removed_.view()) next_[slot] = kNobody;
+  }
+  boxes_.swap(next_);
+}
+
+void StagedBoxes::swap_changed() {
+  for (const Slot slot : moved_.view()) std::swap(boxes_[slot], next_[slot]);
+  for (const Slot slot : removed_.view()) std::swap(boxes_[slot], next_[slot]);
+}
+
+void StagedBoxes::undo() {
+  if (swapped_all_) {
+    boxes_.swap(next_);
+  } else {
+    swap_changed();
+  }
+}
+
+void StagedBoxes::commit(std::span<const Slot> inserted) {
+  for (const Slot slot : moved_.view()) states_[slot] = kAtRest;
+  for (const Slot slot : inserted) states_[slot] = kAtRest;
+  moved_.clear();
+  removed_.clear();
+}
+
+void StagedBoxes::renumber(std::span<const Slot> before) {
+  Vector<Aabb> boxes;
+  boxes.reserve(before.size());
+  for (const Slot slot : before) boxes.push_back(boxes_[slot]);
+  Vector<BodyState> states(before.size(), kAtRest);
+  *this = StagedBoxes();
+  boxes_ = std::move(boxes);
+  states_ = std::move(states);
+}
+
+std::size_t StagedBoxes::bytes() const {
+  return (boxes_.capacity() + next_.capacity()) * sizeof(Aabb) + states_.capacity() * sizeof(BodyState) +
+         moved_.bytes() + removed_.bytes();
+}
+
+}  // namespace cellsweep

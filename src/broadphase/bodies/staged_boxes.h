@@ -1,0 +1,86 @@
+/// @file
+/// The boxes of bodies by slot: those of the last update, and those that the next one brings.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/crew.h"
+#include "base/memory/list.h"
+#include "base/memory/memory.h"
+#include "cellsweep/engine/engine.h"
+
+namespace cellsweep {
+
+/// What becomes of a slot with the next update.
+enum BodyState : std::uint8_t {
+  kAtRest,    ///< the body stays where it is
+  kMoved,     ///< it gets another box
+  kInserted,  ///< no update has seen it
+  kGone       ///< it was removed, or nobody was ever there
+};
+
+/// The bodies of a call that were found to be held, and the boxes that they get.
+struct MovedBodies {
+  std::span<const Slot> slots;
+  std::span<const Aabb> boxes;  ///< valid
+  bool clean = false;           ///< and canonical as they are
+  bool ascends = false;         ///< each slot is above the one before: none is there twice
+};
+
+/// Two boxes a slot, once anybody has moved. begin_update() makes the next boxes those that count; then
+/// either commit() forgets the others or undo() brings them back, and none of the three can fail. What throws
+/// std::bad_alloc has changed nothing.
+class StagedBoxes {
+ public:
+  std::size_t slots() const { return boxes_.size(); }
+  BodyState state(Slot slot) const { return states_[slot]; }
+  const BodyState* states() const { return states_.data(); }
+  /// As of the last update; of a body that none has seen the one that it begins with.
+  std::span<const Aabb> boxes() const { return boxes_; }
+  /// Bodies of the last update that were removed since.
+  std::span<const Slot> removed() const { return removed_.view(); }
+
+  /// Makes room for so many slots in all: insert() takes no memory then.
+  void reserve(std::size_t slots);
+  /// New slots come behind all others, in order; those that were free before are anywhere.
+  void insert(std::span<const Slot> slots, std::span<const Aabb> boxes, bool clean);
+
+  /// The last box of several for a body counts.
+  void move(Crew& crew, const MovedBodies& bodies);
+
+  /// Makes room for so many calls of remove(), which take no memory then.
+  void reserve_removals(std::size_t count);
+  void remove(Slot slot);
+
+  /// Without the new bodies and the number of all.
+  BodyChanges begin_update();
+  void undo();
+  /// `inserted` have been seen from now on.
+  void commit(std::span<const Slot> inserted);
+
+  /// Slots are numbered anew: each gets what slot `before[slot]` had. Nothing may wait for an update.
+  void renumber(std::span<const Slot> before);
+
+  std::size_t bytes() const;
+
+ private:
+  void reserve_next();
+  std::size_t move_share(const MovedBodies& bodies, Share share, Slot* moved);
+  Slot* move_block(const MovedBodies& block, Slot* moved);
+  Slot* move_one(Slot slot, const Aabb& box, Slot* moved);
+  bool are_at_rest(Slot first, std::size_t count) const;
+  void swap_all();
+  void swap_changed();
+
+  Vector<Aabb> boxes_;
+  Vector<Aabb> next_;  // of those that moved, and kNobody of those that were removed; during an update, before
+  Vector<BodyState> states_;
+  List<Slot> moved_;
+  List<Slot> removed_;
+  bool some_moved_are_gone_ = false;
+  bool swapped_all_ = false;  // by begin_update()
+};
+
+}  // namespace cellsweep

@@ -1,0 +1,188 @@
+/// @file
+/// Boxes of the last update and of the next, against plain arrays, when few move and when most do.
+#include "broadphase/bodies/staged_boxes.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "broadphase/bodies/shown.h"
+#include "contract/random.h"
+
+namespace cellsweep {
+namespace {
+
+using contract::Random;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+std::vector<Slot> slots_from(Slot first, std::size_t count) {
+  std::vector<Slot> slots(count);
+  std::iota(slots.begin(), slots.end(), first);
+  return slots;
+}
+
+/// A hundred bodies at rest, each at twice its number.
+class StagedBoxesTest : public testing::TestWithParam<unsigned> {
+ protected:
+  static constexpr std::size_t kBodies = 100;
+
+  void SetUp() override {
+    boxes_.reserve(kBodies);
+    boxes_.insert(all_, boxes_from(0, kBodies), true);
+    boxes_.begin_update();
+    boxes_.commit(all_);
+  }
+
+  void move(const std::vector<Slot>& slots, const std::vector<Aabb>& boxes, bool clean = true) {
+    const bool ascends = std::ranges::adjacent_find(slots, std::greater_equal<>()) == slots.end();
+    boxes_.move(crew_, {slots, boxes, clean, ascends});
+  }
+
+  /// What a next update tells, without making one.
+  std::vector<Slot> moved() {
+    const BodyChanges changes = boxes_.begin_update();
+    const std::vector<Slot> slots(changes.moved.begin(), changes.moved.end());
+    boxes_.undo();
+    return slots;
+  }
+
+  const std::vector<Slot> all_ = slots_from(0, kBodies);
+  Crew crew_{std::make_shared<ThreadPool>(GetParam()), GetParam(), Crew::Choice::given};
+  StagedBoxes boxes_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Workers, StagedBoxesTest, testing::Values(1U, 3U));
+
+TEST_P(StagedBoxesTest, MoveNobodyWhoIsToldToStay) {
+  move(all_, boxes_from(0, kBodies));
+  move({7, 3}, {box_at(14), box_at(6)});
+  EXPECT_THAT(moved(), IsEmpty());
+}
+
+TEST_P(StagedBoxesTest, TellEveryBodyThatMovesWhereverItStands) {
+  for (Slot mover = 0; mover < kBodies; ++mover) {
+    std::vector<Aabb> next = boxes_from(0, kBodies);
+    next[mover] = box_at(-5);
+    move(all_, next);
+    EXPECT_THAT(moved(), testing::Contains(mover));
+    const BodyChanges changes = boxes_.begin_update();
+    EXPECT_EQ(bits(changes.boxes[mover]), bits(box_at(-5)));
+    EXPECT_EQ(bits(changes.before[mover]), bits(box_at(2.0F * static_cast<float>(mover))));
+    boxes_.undo();
+    move({mover}, {box_at(2.0F * static_cast<float>(mover))});
+    boxes_.begin_update();
+    boxes_.commit({});
+  }
+}
+
+TEST_P(StagedBoxesTest, KeepTheLastOfSeveralBoxes) {
+  move({5, 5, 6, 5}, {box_at(1), box_at(2), box_at(3), box_at(4)});
+  move({6}, {box_at(5)});
+  EXPECT_THAT(moved(), UnorderedElementsAre(5, 6));
+  const BodyChanges changes = boxes_.begin_update();
+  EXPECT_EQ(bits(changes.boxes[5]), bits(box_at(4)));
+  EXPECT_EQ(bits(changes.boxes[6]), bits(box_at(5)));
+  EXPECT_EQ(bits(changes.before[5]), bits(box_at(10)));
+}
+
+TEST_P(StagedBoxesTest, TakeBoxesInTheirCanonicalForm) {
+  const float denormal = std::numeric_limits<float>::denorm_min();
+  const Aabb zero{{0, 0, 0}, {0, 1, 1}};
+  move({0, 1, 2}, {{{-0.0F, denormal, 0}, {denormal, 1, 1}}, zero, box_at(4)}, false);
+  const BodyChanges changes = boxes_.begin_update();
+  EXPECT_THAT(changes.moved, ElementsAre(0, 1));
+  EXPECT_EQ(bits(changes.boxes[0]), bits(zero));
+}
+
+TEST_P(StagedBoxesTest, TellAMovedBodyThatIsRemovedAsRemoved) {
+  move(slots_from(0, 5), boxes_from(50, 5));
+  boxes_.reserve_removals(2);
+  boxes_.remove(2);
+  boxes_.remove(77);
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const BodyChanges changes = boxes_.begin_update();
+    EXPECT_THAT(changes.moved, ElementsAre(0, 1, 3, 4));
+    EXPECT_THAT(changes.removed, ElementsAre(2, 77));
+    for (const Slot slot : {2U, 77U}) {
+      EXPECT_EQ(bits(changes.boxes[slot]), bits(kNobody));
+      EXPECT_EQ(bits(changes.before[slot]), bits(box_at(2.0F * static_cast<float>(slot))));
+    }
+    boxes_.undo();
+    EXPECT_EQ(bits(boxes_.boxes()[2]), bits(box_at(4))) << "an update that failed shows nothing";
+  }
+}
+
+// Most of the bodies move in one half of the rounds, and few in the other.
+TEST_P(StagedBoxesTest, HoldWhatPlainArraysHold) {
+  Random random(GetParam());
+  std::vector<Aabb> seen = boxes_from(0, kBodies);
+  std::vector<Aabb> next = seen;
+  std::vector<Slot> inserted;
+  std::set<Slot> removed;
+  for (int round = 0; round < 2000; ++round) {
+    if (random.one_in(2)) {
+      std::vector<Slot> slots = slots_from(0, next.size());
+      std::erase_if(slots, [&](Slot slot) { return bits(next[slot]) == bits(kNobody); });
+      if (random.one_in(2)) random.shuffle(slots);
+      if (random.one_in(2)) slots.resize(random.below(slots.size()));
+      std::vector<Aabb> boxes;
+      for (const Slot slot : slots)
+        boxes.push_back(random.one_in(4) ? seen[slot] : box_at(static_cast<float>(random.whole(0, 9))));
+      move(slots, boxes);
+      for (std::size_t i = 0; i < slots.size(); ++i) {
+        next[slots[i]] = boxes[i];
+        if (std::ranges::find(inserted, slots[i]) != inserted.end()) seen[slots[i]] = boxes[i];
+      }
+    }
+    if (random.one_in(4)) {
+      const auto slot = static_cast<Slot>(next.size());
+      boxes_.reserve(next.size() + 1);
+      boxes_.insert({&slot, 1}, {{box_at(1)}}, true);
+      next.push_back(box_at(1));
+      seen.push_back(box_at(1));
+      inserted.push_back(slot);
+    }
+    const auto gone = static_cast<Slot>(random.below(next.size()));
+    if (random.one_in(4) && next.size() > 90 && bits(next[gone]) != bits(kNobody) &&
+        std::ranges::find(inserted, gone) == inserted.end()) {
+      boxes_.reserve_removals(1);
+      boxes_.remove(gone);
+      next[gone] = kNobody;
+      removed.insert(gone);
+    }
+    for (Slot slot = 0; slot < seen.size(); ++slot) ASSERT_EQ(bits(boxes_.boxes()[slot]), bits(seen[slot]));
+    if (random.one_in(2)) continue;
+    const BodyChanges changes = boxes_.begin_update();
+    ASSERT_THAT(std::set<Slot>(changes.removed.begin(), changes.removed.end()),
+                testing::ContainerEq(removed));
+    std::set<Slot> told(changes.moved.begin(), changes.moved.end());
+    ASSERT_EQ(told.size(), changes.moved.size());
+    for (Slot slot = 0; slot < next.size(); ++slot) {
+      ASSERT_EQ(bits(changes.boxes[slot]), bits(next[slot])) << slot;
+      if (told.contains(slot) || removed.contains(slot)) {
+        ASSERT_EQ(bits(changes.before[slot]), bits(seen[slot])) << slot;
+      } else {
+        ASSERT_EQ(bits(seen[slot]), bits(next[slot])) << "a change was not told";
+      }
+    }
+    if (random.one_in(3)) {
+      boxes_.undo();
+      continue;
+    }
+    boxes_.commit(inserted);
+    seen = next;
+    inserted.clear();
+    removed.clear();
+  }
+}
+
+}  // namespace
+}  // namespace cellsweep
