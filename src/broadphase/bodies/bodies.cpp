@@ -82,14 +82,16 @@ Status Bodies::move(Crew& crew, std::span<const BodyId> ids, std::span<const Aab
     if (Status status = find_invalid_boxes(ids, boxes); !status.ok()) return status;
     return find_unknown(table_, ids);
   }
-  boxes_.move(crew, checked_moves(crew, boxes));
+  const auto stays = [](const MoveCheck& check) { return check.nobody_moves(); };
+  if (!std::all_of(checks_.begin(), checks_.begin() + crew.active(), stays))
+    boxes_.move(crew, checked_moves(crew, boxes));
   return {};
 }
 
 bool Bodies::check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes) {
   checks_.resize(crew.workers());
   if (moved_.size() < ids.size()) moved_.resize(ids.size());
-  const HeldBodies held{table_, boxes_.states()};
+  const HeldBodies held{table_, boxes_};
   crew.run([&](unsigned worker) {
     const Share share = Share::of(ids.size(), worker, crew.active());
     checks_[worker].run(held, ids, boxes, share, moved_.data());

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kBlock = 32;
 
 bool are_held(const HeldBodies& held, Slot first, std::size_t count) {
-  return held.table.is_full() || std::none_of(held.states + first, held.states + first + count,
+  return held.table.is_full() || std::none_of(held.boxes.states() + first, held.boxes.states() + first + count,
                                               [](BodyState state) { return state == kGone; });
 }
 
@@ -25,7 +25,7 @@ bool are_right(const HeldBodies& held, std::span<const BodyId> ids, const Slot* 
     if (slots[i] >= count || known[slots[i]] != ids[i]) return false;
   }
   return held.table.is_full() ||
-         std::none_of(slots, slots + ids.size(), [&](Slot slot) { return held.states[slot] == kGone; });
+         std::none_of(slots, slots + ids.size(), [&](Slot slot) { return held.boxes.states()[slot] == kGone; });
 }
 
 }  // namespace
@@ -35,27 +35,32 @@ void MoveCheck::run(const HeldBodies& held, std::span<const BodyId> ids, std::sp
   *this = {};
   for (std::size_t first = share.first; good_ && first < share.last; first += kBlock) {
     const std::size_t count = std::min(kBlock, share.last - first);
-    const auto block = boxes.subspan(first, count);
-    if (!are_clean(block)) {
-      clean_ = false;
-      good_ = are_valid(block);
-    }
-    find_slots(held, ids.subspan(first, count), slots + first);
+    check_block(held, ids.subspan(first, count), boxes.subspan(first, count), slots + first);
   }
 }
 
-void MoveCheck::find_slots(const HeldBodies& held, std::span<const BodyId> ids, Slot* slots) {
-  if (is_run(held, ids, next_)) {
-    std::iota(slots, slots + ids.size(), next_);
-    return note_run(next_, ids.size());
+// A box that a body has is clean.
+void MoveCheck::check_block(const HeldBodies& held, std::span<const BodyId> ids, std::span<const Aabb> boxes,
+                            Slot* slots) {
+  const bool is_run = find_slots(held, ids, slots);
+  if (!good_ || (is_run && held.boxes.are_at_rest(slots[0], boxes))) return;
+  nobody_moves_ = false;
+  if (are_clean(boxes)) return;
+  clean_ = false;
+  good_ = are_valid(boxes);
+}
+
+// True when they are consecutive.
+bool MoveCheck::find_slots(const HeldBodies& held, std::span<const BodyId> ids, Slot* slots) {
+  Slot first = next_;
+  if (!is_run(held, ids, first)) {
+    if (are_right(held, ids, slots)) return note_slots({slots, ids.size()});
+    first = held.table.find(ids[0]);
+    if (first == kNoSlot || !is_run(held, ids, first)) return look_up(held, ids, slots);
   }
-  if (are_right(held, ids, slots)) return note_slots({slots, ids.size()});
-  const Slot first = held.table.find(ids[0]);
-  if (first != kNoSlot && is_run(held, ids, first)) {
-    std::iota(slots, slots + ids.size(), first);
-    return note_run(first, ids.size());
-  }
-  look_up(held, ids, slots);
+  std::iota(slots, slots + ids.size(), first);
+  note_run(first, ids.size());
+  return true;
 }
 
 // Whether these bodies are those of consecutive slots.
@@ -73,16 +78,17 @@ void MoveCheck::note_run(Slot first, std::size_t count) {
   next_ = last_ + 1;
 }
 
-void MoveCheck::note_slots(std::span<const Slot> slots) {
+bool MoveCheck::note_slots(std::span<const Slot> slots) {
   for (const Slot slot : slots) note_run(slot, 1);
+  return false;
 }
 
 // Bodies that are here and there: where one is found is on its way while the others are looked up.
-void MoveCheck::look_up(const HeldBodies& held, std::span<const BodyId> ids, Slot* slots) {
+bool MoveCheck::look_up(const HeldBodies& held, std::span<const BodyId> ids, Slot* slots) {
   for (const BodyId id : ids) held.table.prefetch(id);
   std::transform(ids.begin(), ids.end(), slots, [&](BodyId id) { return held.table.find(id); });
   good_ = good_ && std::find(slots, slots + ids.size(), kNoSlot) == slots + ids.size();
-  if (good_) note_slots({slots, ids.size()});
+  return good_ && note_slots({slots, ids.size()});
 }
 
 }  // namespace cellsweep

@@ -12,10 +12,10 @@
 
 namespace cellsweep {
 
-/// Who is held.
+/// Who is held, and where; by slot.
 struct HeldBodies {
   const IdTable& table;
-  const BodyState* states;  ///< by slot
+  const StagedBoxes& boxes;
 };
 
 /// What one worker finds out about its share of a call. It changes nothing.
@@ -30,6 +30,8 @@ class MoveCheck {
   bool good() const { return good_; }
   /// Every box is canonical as it is.
   bool clean() const { return clean_; }
+  /// Every body is at rest and is given the box that it has.
+  bool nobody_moves() const { return nobody_moves_; }
   /// Each body's slot is above the one before: none is there twice.
   bool ascends() const { return ascends_; }
   /// Slots of the first and the last body of the share.
@@ -37,15 +39,18 @@ class MoveCheck {
   Slot last() const { return last_; }
 
  private:
-  void find_slots(const HeldBodies& held, std::span<const BodyId> ids, Slot* slots);
+  void check_block(const HeldBodies& held, std::span<const BodyId> ids, std::span<const Aabb> boxes,
+                   Slot* slots);
+  bool find_slots(const HeldBodies& held, std::span<const BodyId> ids, Slot* slots);
   bool is_run(const HeldBodies& held, std::span<const BodyId> ids, Slot first) const;
   void note_run(Slot first, std::size_t count);
-  void note_slots(std::span<const Slot> slots);
-  void look_up(const HeldBodies& held, std::span<const BodyId> ids, Slot* slots);
+  bool note_slots(std::span<const Slot> slots);
+  bool look_up(const HeldBodies& held, std::span<const BodyId> ids, Slot* slots);
 
   bool good_ = true;
   bool clean_ = true;
   bool ascends_ = true;
+  bool nobody_moves_ = true;
   Slot first_ = kNoSlot;
   Slot last_ = kNoSlot;
   Slot next_ = 0;  // the slot behind the last one: callers often list bodies as they inserted them

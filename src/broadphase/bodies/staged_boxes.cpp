@@ -19,6 +19,16 @@ constexpr std::size_t kBlock = 32;
 
 }  // namespace
 
+bool StagedBoxes::are_at_rest(Slot first, std::size_t count) const {
+  return std::all_of(&states_[first], &states_[first] + count,
+                     [](BodyState state) { return state == kAtRest; });
+}
+
+bool StagedBoxes::are_at_rest(Slot first, std::span<const Aabb> boxes) const {
+  return std::memcmp(boxes.data(), &boxes_[first], boxes.size_bytes()) == 0 &&
+         are_at_rest(first, boxes.size());
+}
+
 void StagedBoxes::reserve(std::size_t slots) {
   make_room(boxes_, slots);
   make_room(states_, slots);
@@ -89,24 +99,20 @@ Slot* StagedBoxes::move_block(const MovedBodies& block, Slot* moved) {
   const Slot first = block.slots[0];
   const bool is_run = block.clean && block.ascends && block.slots[count - 1] - first == count - 1;
   if (is_run && are_at_rest(first, count)) {
-    const std::size_t bytes = count * sizeof(Aabb);
-    if (std::memcmp(block.boxes.data(), &boxes_[first], bytes) == 0) return moved;
+    if (std::memcmp(block.boxes.data(), &boxes_[first], block.boxes.size_bytes()) == 0) return moved;
     if (!same_bits(BoxLanes(block.boxes[0]), BoxLanes(boxes_[first]))) {
-      std::memcpy(&next_[first], block.boxes.data(), bytes);
+      std::memcpy(&next_[first], block.boxes.data(), block.boxes.size_bytes());
       std::memset(&states_[first], kMoved, count);
       std::iota(moved, moved + count, first);
       return moved + count;
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    moved = move_one(block.slots[i], block.clean ? block.boxes[i] : canonical(block.boxes[i]), moved);
+  if (block.clean) {
+    for (std::size_t i = 0; i < count; ++i) moved = move_one(block.slots[i], block.boxes[i], moved);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) moved = move_one(block.slots[i], canonical(block.boxes[i]), moved);
   }
   return moved;
-}
-
-bool StagedBoxes::are_at_rest(Slot first, std::size_t count) const {
-  static constexpr std::array<BodyState, kBlock> kAllAtRest{};
-  return std::memcmp(&states_[first], kAllAtRest.data(), count) == 0;
 }
 
 // A body that has moved already, to somewhere else, may be told to stay.

@@ -42,6 +42,9 @@ class StagedBoxes {
   /// Bodies of the last update that were removed since.
   std::span<const Slot> removed() const { return removed_.view(); }
 
+  /// Whether bodies of consecutive slots are at rest, and have these boxes.
+  bool are_at_rest(Slot first, std::span<const Aabb> boxes) const;
+
   /// Makes room for so many slots in all: insert() takes no memory then.
   void reserve(std::size_t slots);
   /// New slots come behind all others, in order; those that were free before are anywhere.

@@ -15,22 +15,23 @@
 namespace cellsweep {
 namespace {
 
-using testing::ElementsAre;
-
 /// Bodies in a table, and one check of a call.
 class MoveCheckTest : public testing::Test {
  protected:
   void hold(const Ids& ids) {
     Vector<Slot> slots;
     ASSERT_TRUE(table_.insert(ids, slots));
-    states_.resize(table_.slot_count(), kGone);
-    for (const Slot slot : slots) states_[slot] = kAtRest;
+    held_.reserve(table_.slot_count());
+    held_.insert(slots, boxes_from(1000, ids.size()), true);
+    held_.begin_update();
+    held_.commit(slots);
   }
   void remove(BodyId id) {
     const Slot slot = table_.find(id);
     table_.reserve_removals(1);
     table_.remove(slot);
-    states_[slot] = kGone;
+    held_.reserve_removals(1);
+    held_.remove(slot);
   }
 
   /// All of the call, as one share, with `slots_` as the guess. What is found is in `slots_`.
@@ -38,7 +39,7 @@ class MoveCheckTest : public testing::Test {
   void run(const Ids& ids) { run(ids, boxes_from(0, ids.size())); }
   void run(const Ids& ids, const std::vector<Aabb>& boxes, Share share) {
     slots_.resize(ids.size(), kNoSlot);
-    check_.run({table_, states_.data()}, ids, boxes, share, slots_.data());
+    check_.run({table_, held_}, ids, boxes, share, slots_.data());
   }
 
   void expect_right(const Ids& ids) const {
@@ -52,7 +53,7 @@ class MoveCheckTest : public testing::Test {
   }
 
   IdTable table_;
-  std::vector<BodyState> states_;
+  StagedBoxes held_;
   MoveCheck check_;
   std::vector<Slot> slots_;
 };
@@ -69,6 +70,25 @@ TEST_F(MoveCheckTest, FindsTheSlotsOfAllInOrder) {
   run(ids_from(0, 100));
   expect_right(ids_from(0, 100));
   EXPECT_TRUE(check_.clean());
+}
+
+TEST_F(MoveCheckTest, SaysWhetherAnybodyMoves) {
+  const Ids ids = ids_from(0, 100);
+  hold(ids);
+  const std::vector<Aabb> boxes = boxes_from(1000, 100);
+  run(ids, boxes);
+  EXPECT_TRUE(check_.nobody_moves());
+  for (std::size_t mover = 0; mover < 100; ++mover) {
+    std::vector<Aabb> next = boxes;
+    next[mover].max[2] = 2;
+    run(ids, next);
+    EXPECT_FALSE(check_.nobody_moves()) << mover;
+  }
+  Crew crew(nullptr, 1, Crew::Choice::given);
+  const Slot moved = 50;
+  held_.move(crew, {{&moved, 1}, {{box_at(3)}}, true, true});
+  run(ids, boxes);
+  EXPECT_FALSE(check_.nobody_moves()) << "it moved away, and is told to stay";
 }
 
 TEST_F(MoveCheckTest, SaysThatABoxIsNotCanonical) {
@@ -102,7 +122,7 @@ TEST_F(MoveCheckTest, DoesNotTakeARemovedBodyForOneOfARun) {
   const Ids ids = ids_from(0, 100);
   for (const BodyId gone : {0U, 40U, 99U}) {
     table_ = {};
-    states_.clear();
+    held_ = {};
     slots_.clear();
     hold(ids);
     run(ids);
