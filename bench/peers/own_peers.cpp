@@ -83,27 +83,16 @@ class OwnEngine : public Peer {
   bool failed_ = false;
 };
 
-/// The same with ids from all over 32 bits, and bodies that come in no order: what ids and order cost.
-class ScatteredEngine final : public OwnEngine {
+/// The same with ids from all over 32 bits: what ids cost.
+class ScatteredEngine : public OwnEngine {
  public:
   using OwnEngine::OwnEngine;
 
-  // The boxes' order is the user's own, and no part of the frame.
   void prepare(const Stage& stage) override {
     OwnEngine::prepare(stage);
     for (BodyId& id : ids_) id *= kScatter;
     moved_ids_.reserve(ids_.size());
-    std::vector<BodyId> order(ids_.size());
-    std::iota(order.begin(), order.end(), BodyId{0});
-    Random random(1, order.size());
-    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-    for (const BodyId body : order) {
-      shuffled_ids_.push_back(ids_[body]);
-      shuffled_boxes_.push_back(stage.boxes[body]);
-    }
   }
-
-  void insert(std::span<const Aabb>) override { OwnEngine::insert(shuffled_ids_, shuffled_boxes_); }
 
   BodyId body_of(BodyId id) const override { return id * kGather; }
 
@@ -119,9 +108,33 @@ class ScatteredEngine final : public OwnEngine {
     return moved_ids_;
   }
 
+  std::vector<BodyId> moved_ids_;
+};
+
+/// And with bodies that come in no order: what lies side by side in memory is far apart in space, and the
+/// calls of move() name bodies in another order than insert() did.
+class ShuffledEngine final : public ScatteredEngine {
+ public:
+  using ScatteredEngine::ScatteredEngine;
+
+  // The boxes' order is the user's own, and no part of the frame.
+  void prepare(const Stage& stage) override {
+    ScatteredEngine::prepare(stage);
+    std::vector<BodyId> order(ids_.size());
+    std::iota(order.begin(), order.end(), BodyId{0});
+    Random random(1, order.size());
+    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+    for (const BodyId body : order) {
+      shuffled_ids_.push_back(ids_[body]);
+      shuffled_boxes_.push_back(stage.boxes[body]);
+    }
+  }
+
+  void insert(std::span<const Aabb>) override { OwnEngine::insert(shuffled_ids_, shuffled_boxes_); }
+
+ private:
   std::vector<BodyId> shuffled_ids_;
   std::vector<Aabb> shuffled_boxes_;
-  std::vector<BodyId> moved_ids_;
 };
 
 template <class Own>
@@ -156,7 +169,9 @@ void add_own_peers(std::vector<PeerInfo>& peers) {
   constexpr std::string_view kAsItFindsToPay = "as many as it finds to pay";
   peers.push_back(own_engine<OwnEngine>("stream", "stream", kAsItFindsToPay, "as it comes"));
   peers.push_back(own_engine<ScatteredEngine>(
-      "stream_scattered", "stream", kAsItFindsToPay,
+      "stream_scattered", "stream", kAsItFindsToPay, "as it comes; ids from all over 32 bits"));
+  peers.push_back(own_engine<ShuffledEngine>(
+      "stream_shuffled", "stream", kAsItFindsToPay,
       "as it comes; ids from all over 32 bits, bodies inserted in an order of chance"));
   peers.push_back(own_engine<OwnEngine>("stream_1", "stream", "1", "`--threads 1`", {{"threads", "1"}}));
   if (find_engine("cell-resident") != nullptr)

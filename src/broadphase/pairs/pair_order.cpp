@@ -29,8 +29,11 @@ void PairOrder::name_pairs(Crew& crew, const IdTable& table, std::span<const Slo
     if (count == 0) return copy_named(table, ascending, pairs);
     return sort_in_slot_order(crew, table, ascending, more, pairs);
   }
-  const bool few = (ascending.size() + count) * tuning::kBodiesOfChange < table.slot_count();
-  if (few) return sort_by_ids(table, ascending, more, pairs);
+  // Ranks cost something for each body, when they are not known.
+  const std::size_t total = ascending.size() + count;
+  const bool few = total * tuning::kBodiesOfChange < table.slot_count();
+  if (few || (total < table.slot_count() && !ranks_.are_fresh(table)))
+    return sort_by_ids(crew, table, ascending, more, pairs);
   sort_by_ranks(crew, table, ascending, more, pairs);
 }
 
@@ -53,15 +56,11 @@ void PairOrder::sort_in_slot_order(Crew& crew, const IdTable& table, std::span<c
   for (Pair& pair : pairs.view()) pair = {table.id(pair.a), table.id(pair.b)};
 }
 
-void PairOrder::sort_by_ids(const IdTable& table, std::span<const SlotPair> ascending, KeyParts more,
-                            Array<Pair>& pairs) {
+void PairOrder::sort_by_ids(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending,
+                            KeyParts more, Array<Pair>& pairs) {
   list_keys(ascending, more, [&](Slot slot) { return table.id(slot); });
-  const auto keys = keys_.view();
-  std::sort(keys.begin(), keys.end());
-  pairs.renew(keys.size());
-  std::transform(keys.begin(), keys.end(), pairs.data(), [](std::uint64_t key) {
-    return Pair{static_cast<BodyId>(key >> 32), static_cast<BodyId>(key)};
-  });
+  const std::span<const std::uint64_t> all = keys_.view();
+  sort_pairs(crew, {&all, 1}, scratch_, pairs);
 }
 
 void PairOrder::sort_by_ranks(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending,

@@ -28,7 +28,7 @@ class PairOrder {
   void copy_named(const IdTable& table, std::span<const SlotPair> ascending, Array<Pair>& pairs);
   void sort_in_slot_order(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending,
                           KeyParts more, Array<Pair>& pairs);
-  void sort_by_ids(const IdTable& table, std::span<const SlotPair> ascending, KeyParts more,
+  void sort_by_ids(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending, KeyParts more,
                    Array<Pair>& pairs);
   void sort_by_ranks(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending, KeyParts more,
                      Array<Pair>& pairs);
