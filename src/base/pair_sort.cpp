@@ -206,8 +206,7 @@ void gather(KeyParts parts, Array<Key>& scratch) {
 
 template <class AnyPair>
 void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array<AnyPair>& sorted) {
-  std::size_t total = 0;
-  for (const std::span<const Key> part : parts) total += part.size();
+  const std::size_t total = count_keys(parts);
   sorted.renew(total);
   if (total == 0) return;
   if (is_one_bucket(parts, total)) {

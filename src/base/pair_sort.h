@@ -2,6 +2,7 @@
 /// Sorts pair keys by distribution: the first body's number chooses the place, few comparisons are left.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -14,6 +15,13 @@ namespace cellsweep {
 
 /// Keys of pairs, the first body's number above the second's, as several workers found them.
 using KeyParts = std::span<const std::span<const std::uint64_t>>;
+
+/// How many there are in all parts.
+inline std::size_t count_keys(KeyParts parts) {
+  std::size_t count = 0;
+  for (const auto part : parts) count += part.size();
+  return count;
+}
 
 /// Writes all keys, which differ, to `sorted` in ascending order. `AnyPair` is Pair or SlotPair. `scratch` is
 /// working memory.

@@ -61,6 +61,8 @@ inline constexpr double kCopyCost = 14;
 inline constexpr double kTestCost = 0.11;
 /// Boxes of the sample on which a grid is chosen.
 inline constexpr std::size_t kSample = 128;
+/// A box is large when an edge is so many times as long as that of the middle box of the sample.
+inline constexpr float kLargeEdges = 8;
 /// More cells than this are made in two steps: writing to more places at a time than a cache has lines is
 /// slow. EPYC, uniform 1,000,000.
 inline constexpr double kMaxCells = 4096;
@@ -84,6 +86,10 @@ inline constexpr std::size_t kAhead = 16;
 inline constexpr std::size_t kFar = 20'000;
 /// So many candidates and twice the pairs allowed are always looked at.
 inline constexpr std::size_t kFewCandidates = 1000;
+
+/// So many changes of a list of pairs may wait whatever its length; more, when they are fewer than a quarter
+/// of it.
+inline constexpr std::size_t kFewNotes = 4096;
 
 // --- sorting pairs
 // --------------------------------------------------------------------------------------------

@@ -8,12 +8,6 @@
 namespace cellsweep {
 namespace {
 
-std::size_t count_keys(KeyParts parts) {
-  std::size_t count = 0;
-  for (const auto part : parts) count += part.size();
-  return count;
-}
-
 /// The pair of two numbers of bodies, either way round, as a key.
 std::uint64_t key_of(std::uint32_t one, std::uint32_t other) {
   const std::uint64_t low = std::min(one, other);

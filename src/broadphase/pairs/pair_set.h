@@ -9,6 +9,7 @@
 
 #include "base/memory/array.h"
 #include "base/memory/list.h"
+#include "base/pair_changes.h"
 #include "cellsweep/broadphase.h"
 #include "cellsweep/pair.h"
 
@@ -42,17 +43,9 @@ class PairSet {
   std::size_t bytes() const;
 
  private:
-  /// The last word on a pair wins.
-  struct Note {
-    std::uint64_t key;
-    bool overlapping;
-  };
-
   bool only_began() const;
   void note_changes() const;
   void list_all() const;
-  void merge_notes() const;
-  void merge(std::span<const Pair> began, std::span<const Pair> ended) const;
 
   Array<Pair> began_;  // of the last update
   Array<Pair> ended_;
@@ -60,15 +53,11 @@ class PairSet {
   Array<Pair> next_ended_;
   Array<Pair> whole_;  // what compare_with_whole_set() was given
 
-  mutable Array<Pair> pairs_;  // but for notes_ and the last changes
-  mutable Array<Pair> spare_;  // room for the next
-  mutable List<Note> notes_;   // in the order in which they came
+  mutable Array<Pair> pairs_;     // but for notes_ and the last changes
+  mutable Array<Pair> spare_;     // room for the next
+  mutable List<PairNote> notes_;  // in the order in which they came
   mutable std::atomic<bool> is_listed_ = true;
   mutable std::mutex mutex_;
 };
-
-/// What differs between two ascending lists. Pairs of bodies that are gone, ascending, differ from all.
-void find_changes(std::span<const Pair> old, std::span<const Pair> now, std::span<const BodyId> gone,
-                  Array<Pair>& began, Array<Pair>& ended);
 
 }  // namespace cellsweep

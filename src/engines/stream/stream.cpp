@@ -105,9 +105,7 @@ void Stream::note_idle(Statistics& statistics) {
 }
 
 FoundPairs Stream::counted(const FoundPairs& found) {
-  std::size_t began = found.began.size();
-  for (const auto part : found.more_began) began += part.size();
-  pairs_ = pairs_ + began - found.ended.size();
+  pairs_ = pairs_ + found.began.size() + count_keys(found.more_began) - found.ended.size();
   if (pairs_ > parts_.max_pairs) throw TooManyPairs();
   return found;
 }
@@ -202,8 +200,8 @@ void Stream::list_pairs_before() {
 }
 
 FoundPairs Stream::compare_with_before(std::span<const SlotPair> now) {
-  const SlotPairChanges changes = find_changes(std::as_const(before_).view(), now, began_, ended_);
-  return {.began = changes.began, .ended = changes.ended};
+  find_changes<SlotPair>(before_.view(), now, {}, began_, ended_);
+  return {.began = std::as_const(began_).view(), .ended = std::as_const(ended_).view()};
 }
 
 std::size_t Stream::generous_limit() const {

@@ -331,33 +331,5 @@ TEST_P(PairSetWithoutMemory, HasTheSamePairsWhereverItFails) {
 
 INSTANTIATE_TEST_SUITE_P(Ways, PairSetWithoutMemory, testing::Values(0, 1, 2, 3));
 
-TEST(FindChanges, TellsWhatDiffersBetweenTwoLists) {
-  Array<Pair> began;
-  Array<Pair> ended;
-  const auto expect = [&](const Pairs& old, const Pairs& now, const Pairs& in_began, const Pairs& in_ended) {
-    find_changes(old, now, {}, began, ended);
-    EXPECT_TRUE(std::ranges::equal(began.view(), in_began));
-    EXPECT_TRUE(std::ranges::equal(ended.view(), in_ended));
-  };
-  const Pairs some = {{0, 1}, {2, 3}, {2, 0xffffffff}};
-  expect({}, {}, {}, {});
-  expect(some, some, {}, {});
-  expect({}, some, some, {});
-  expect(some, {}, {}, some);
-  expect(some, {{0, 2}, {2, 3}, {5, 6}}, {{0, 2}, {5, 6}}, {{0, 1}, {2, 0xffffffff}});
-  expect({{9, 10}}, {{1, 2}}, {{1, 2}}, {{9, 10}});
-}
-
-TEST(FindChanges, PairsOfBodiesThatAreGoneEndAndBeginThoughTheyAreInBothLists) {
-  Array<Pair> began;
-  Array<Pair> ended;
-  const std::vector<Pair> pairs = {{1, 2}, {2, 3}, {3, 4}, {4, 5}};
-  const std::vector<BodyId> gone = {2, 5};
-  find_changes(pairs, pairs, gone, began, ended);
-  const std::vector<Pair> expected = {{1, 2}, {2, 3}, {4, 5}};
-  EXPECT_TRUE(std::ranges::equal(began.view(), expected));
-  EXPECT_TRUE(std::ranges::equal(ended.view(), expected));
-}
-
 }  // namespace
 }  // namespace cellsweep

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "base/tuning.h"
+#include "engines/stream/cells/box_sample.h"
 #include "engines/stream/cells/grid.h"
 
 namespace cellsweep::stream {
@@ -13,69 +14,7 @@ namespace {
 using tuning::kCopyCost;
 using tuning::kMaxCells;
 using tuning::kPieceBoxes;
-using tuning::kSample;
 using tuning::kTestCost;
-
-/// What a sample of the boxes tells about one axis.
-struct Axis {
-  double origin = 0;
-  double length = 0;  // over which most minima lie
-};
-
-/// Means over the sample, of extents and of their products, which say how many cells a box reaches into.
-struct Extents {
-  double x = 0, y = 0, z = 0, xy = 0, yz = 0, zx = 0, xyz = 0;
-
-  /// The expected number of cells of a box, for so many cells a unit of length on each axis.
-  double copies(const std::array<double, 3>& density) const {
-    const auto [i, j, k] = density;
-    return 1 + x * i + y * j + z * k + xy * i * j + yz * j * k + zx * k * i + xyz * i * j * k;
-  }
-};
-
-struct Sample {
-  std::array<Axis, 3> axes;
-  Extents extents;
-};
-
-/// Where most minima lie: twice the range of the middle half, not beyond the range of all. What lies outside
-/// falls into the cells at the border, which are cut again when they are crowded.
-Axis measure_axis(float* minima, std::size_t count) {
-  std::sort(minima, minima + count);
-  const double low = minima[0];
-  const double high = minima[count - 1];
-  const double quarter = minima[count / 4];
-  const double middle_half = minima[count - 1 - count / 4] - quarter;
-  if (!(middle_half > 0)) return {low, high - low};
-  const double origin = std::max(low, quarter - middle_half / 2);
-  return {origin, std::min(high, quarter + 1.5 * middle_half) - origin};
-}
-
-Sample take_sample(const Boxes& boxes) {
-  std::array<std::array<float, kSample>, 3> minima;
-  Sample sample;
-  Extents& sum = sample.extents;
-  std::size_t taken = 0;
-  const std::size_t wanted = std::min(boxes.count(), std::min(kSample, 24 + boxes.count() / 64));
-  for (std::size_t i = 0; i < wanted; ++i) {
-    const Aabb& box = boxes[i * boxes.count() / wanted];
-    if (!(box.min[0] <= box.max[0])) continue;
-    std::array<double, 3> edge{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      minima[axis][taken] = box.min[axis];
-      edge[axis] = double{box.max[axis]} - double{box.min[axis]};
-    }
-    ++taken;
-    sum.x += edge[0], sum.y += edge[1], sum.z += edge[2];
-    sum.xy += edge[0] * edge[1], sum.yz += edge[1] * edge[2], sum.zx += edge[2] * edge[0];
-    sum.xyz += edge[0] * edge[1] * edge[2];
-  }
-  if (taken == 0) return sample;
-  for (double* mean : {&sum.x, &sum.y, &sum.z, &sum.xy, &sum.yz, &sum.zx, &sum.xyz})
-    *mean /= static_cast<double>(taken);
-  for (std::size_t axis = 0; axis < 3; ++axis) sample.axes[axis] = measure_axis(minima[axis].data(), taken);
-  return sample;
-}
 
 struct Plan {
   std::array<std::uint32_t, 3> dims = {1, 1, 1};
@@ -93,7 +32,7 @@ double cell_width(std::array<double, 3> lengths, double cells) {
 }
 
 /// As many cells as wanted, so that cells are about as long on each axis as boxes are there.
-std::array<std::uint32_t, 3> divide(const Sample& sample, double cells) {
+std::array<std::uint32_t, 3> divide(const BoxSample& sample, double cells) {
   const std::array<double, 3> extent = {sample.extents.x, sample.extents.y, sample.extents.z};
   std::array<double, 3> lengths{};  // of the axes, in extents of a box
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -110,11 +49,11 @@ std::array<std::uint32_t, 3> divide(const Sample& sample, double cells) {
   return dims;
 }
 
-double density_on(const Axis& axis, std::uint32_t dim) {
+double density_on(const AxisRange& axis, std::uint32_t dim) {
   return axis.length > 0 ? dim / axis.length : 0;
 }
 
-Plan plan_for(const Sample& sample, double boxes, double boxes_in_cell) {
+Plan plan_for(const BoxSample& sample, double boxes, double boxes_in_cell) {
   Plan plan;
   plan.dims = divide(sample, std::max(1.0, boxes / boxes_in_cell));
   std::array<double, 3> density{};
@@ -125,7 +64,7 @@ Plan plan_for(const Sample& sample, double boxes, double boxes_in_cell) {
   return plan;
 }
 
-Grid make_grid(const Sample& sample, const Plan& plan) {
+Grid make_grid(const BoxSample& sample, const Plan& plan) {
   double origin[3];
   double scale[3];
   std::uint32_t dims[3];
@@ -140,7 +79,7 @@ Grid make_grid(const Sample& sample, const Plan& plan) {
 }  // namespace
 
 GridChoice choose_grid(const Boxes& boxes) {
-  const Sample sample = take_sample(boxes);
+  const BoxSample sample = take_sample(boxes);
   const auto count = static_cast<double>(boxes.count());
   Plan best;
   double best_in_cell = 0;

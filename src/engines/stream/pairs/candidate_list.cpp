@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/tuning.h"
+
 namespace cellsweep::stream {
 namespace {
 
@@ -30,43 +32,36 @@ void cancel_equal(Array<SlotPair>& one, Array<SlotPair>& other) {
 
 }  // namespace
 
-SlotPairChanges find_changes(std::span<const SlotPair> old, std::span<const SlotPair> now,
-                             Array<SlotPair>& began_list, Array<SlotPair>& ended_list) {
-  began_list.renew(now.size());
-  ended_list.renew(old.size());
-  SlotPair* began = began_list.data();
-  SlotPair* ended = ended_list.data();
-  std::size_t i = 0, j = 0;
-  while (i < old.size() && j < now.size()) {
-    const std::uint64_t before = pair_key(old[i]);
-    const std::uint64_t after = pair_key(now[j]);
-    *ended = old[i];
-    *began = now[j];
-    ended += before < after ? 1 : 0;
-    began += after < before ? 1 : 0;
-    i += before <= after ? 1 : 0;
-    j += after <= before ? 1 : 0;
-  }
-  ended = std::copy(old.begin() + static_cast<std::ptrdiff_t>(i), old.end(), ended);
-  began = std::copy(now.begin() + static_cast<std::ptrdiff_t>(j), now.end(), began);
-  began_list.shrink(static_cast<std::size_t>(began - began_list.data()));
-  ended_list.shrink(static_cast<std::size_t>(ended - ended_list.data()));
-  return {std::as_const(began_list).view(), std::as_const(ended_list).view()};
-}
-
 std::span<const SlotPair> CandidateList::pairs(Crew& crew) {
   if (!found_.empty()) {
     sort_pairs(crew, found_, keys_, pairs_);
     found_.clear();
   }
+  if (!notes_.empty()) {
+    apply_notes<SlotPair>(pairs_.view(), notes_.view(), spare_);
+    std::swap(pairs_, spare_);
+    notes_.clear();
+  }
   return std::as_const(pairs_).view();
 }
 
-std::size_t CandidateList::size() const {
-  if (found_.empty()) return pairs_.size();
-  std::size_t sum = 0;
-  for (const auto part : found_) sum += part.size();
-  return sum;
+void CandidateList::replace(KeyParts found) {
+  found_.assign(found.begin(), found.end());
+  notes_.clear();
+  size_ = count_keys(found);
+}
+
+void CandidateList::note(Crew& crew, KeyParts began, KeyParts ended) {
+  const std::size_t more = count_keys(began) + count_keys(ended);
+  if (notes_.size() + more > size_ / 4 + tuning::kFewNotes) pairs(crew);
+  notes_.reserve(notes_.size() + more);
+  for (const auto part : ended) {
+    for (const std::uint64_t key : part) notes_.push({key, false});
+  }
+  for (const auto part : began) {
+    for (const std::uint64_t key : part) notes_.push({key, true});
+  }
+  size_ = size_ + count_keys(began) - count_keys(ended);
 }
 
 SlotPairChanges CandidateList::change(Crew& crew, KeyParts began, KeyParts ended) {
@@ -74,47 +69,16 @@ SlotPairChanges CandidateList::change(Crew& crew, KeyParts began, KeyParts ended
   sort_pairs(crew, began, keys_, began_);
   sort_pairs(crew, ended, keys_, ended_);
   cancel_equal(began_, ended_);
-  if (began_.size() + ended_.size() > 0) apply_changes();
+  size_ = size_ + began_.size() - ended_.size();
+  if (began_.size() + ended_.size() > 0) {
+    apply_changes<SlotPair>(pairs_.view(), began_.view(), ended_.view(), spare_);
+    std::swap(pairs_, spare_);
+  }
   return {std::as_const(began_).view(), std::as_const(ended_).view()};
 }
 
-// What lies between two changes is copied as a whole.
-void CandidateList::apply_changes() {
-  const std::span<const SlotPair> began = began_.view();
-  const std::span<const SlotPair> ended = ended_.view();
-  const std::span<const SlotPair> old = pairs_.view();
-  spare_.renew(old.size() + began.size() - ended.size());
-  SlotPair* to = spare_.data();
-  std::size_t from = 0;
-  std::size_t b = 0;
-  std::size_t e = 0;
-  const auto copy_until = [&](std::uint64_t key) {
-    // Changes are many or few: look nearby first.
-    std::size_t step = 1;
-    while (from + step < old.size() && pair_key(old[from + step]) < key) step *= 2;
-    const auto first = old.begin() + static_cast<std::ptrdiff_t>(from);
-    const auto last = old.begin() + static_cast<std::ptrdiff_t>(std::min(from + step + 1, old.size()));
-    const auto end = std::lower_bound(
-        first, last, key, [](const SlotPair& pair, std::uint64_t k) { return pair_key(pair) < k; });
-    to = std::copy(first, end, to);
-    from = static_cast<std::size_t>(end - old.begin());
-  };
-  while (b < began.size() || e < ended.size()) {
-    const bool is_end = b == began.size() || (e < ended.size() && pair_key(ended[e]) < pair_key(began[b]));
-    copy_until(pair_key(is_end ? ended[e] : began[b]));
-    if (is_end) {
-      ++from;
-      ++e;
-    } else {
-      *to++ = began[b++];
-    }
-  }
-  std::copy(old.begin() + static_cast<std::ptrdiff_t>(from), old.end(), to);
-  std::swap(pairs_, spare_);
-}
-
 std::size_t CandidateList::bytes() const {
-  return pairs_.bytes() + spare_.bytes() + began_.bytes() + ended_.bytes() + keys_.bytes();
+  return pairs_.bytes() + spare_.bytes() + began_.bytes() + ended_.bytes() + keys_.bytes() + notes_.bytes();
 }
 
 }  // namespace cellsweep::stream

@@ -7,6 +7,8 @@
 
 #include "base/crew.h"
 #include "base/memory/array.h"
+#include "base/memory/list.h"
+#include "base/pair_changes.h"
 #include "base/pair_sort.h"
 #include "cellsweep/engine/engine.h"
 
@@ -18,37 +20,37 @@ struct SlotPairChanges {
   std::span<const SlotPair> ended;
 };
 
-/// What differs between two ascending lists; the memory is that of `began` and `ended`.
-SlotPairChanges find_changes(std::span<const SlotPair> old, std::span<const SlotPair> now,
-                             Array<SlotPair>& began, Array<SlotPair>& ended);
-
 /// A set of pairs, kept in ascending order, so that it does not matter in which order they are found. The
 /// keys that it is given stay where they are until the next call.
 class CandidateList {
  public:
   /// The pairs are now those of `found`, in any order, each once. They are sorted when pairs() is asked for.
-  void replace(KeyParts found) { found_.assign(found.begin(), found.end()); }
+  void replace(KeyParts found);
 
   /// Pairs began and ended, in any order; one that is in both lists did neither.
   SlotPairChanges change(Crew& crew, KeyParts began, KeyParts ended);
 
+  /// The same, but nobody asks what became of the pairs: the list is brought up to date when that is asked
+  /// for, or when so much waits that the next calls are cheaper with it.
+  void note(Crew& crew, KeyParts began, KeyParts ended);
+
   /// Ascending.
   std::span<const SlotPair> pairs(Crew& crew);
 
-  std::size_t size() const;
+  std::size_t size() const { return size_; }
 
   /// Bytes held.
   std::size_t bytes() const;
 
  private:
-  void apply_changes();
-
   std::vector<std::span<const std::uint64_t>> found_;  // the pairs, when they have not been sorted yet
+  List<PairNote> notes_;  // what pairs_ does not know yet, in the order in which it came
   Array<SlotPair> pairs_;
   Array<SlotPair> spare_;  // room for the next
   Array<SlotPair> began_;
   Array<SlotPair> ended_;
   Array<std::uint64_t> keys_;
+  std::size_t size_ = 0;
 };
 
 }  // namespace cellsweep::stream

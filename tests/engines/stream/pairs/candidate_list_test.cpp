@@ -96,6 +96,19 @@ TEST_P(CandidateListTest, APairThatBothBeganAndEndedDidNeither) {
   EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{0, 9}, SlotPair{1, 2}));
 }
 
+TEST_P(CandidateListTest, OfSeveralNotesOnAPairTheLastCounts) {
+  Parts found{{1, 2}, {4, 5}};
+  list_.replace(found.view());
+  Parts none(1);
+  Parts one{{4, 5}};
+  Parts other{{7, 8}};
+  list_.note(crew_, none.view(), one.view());
+  list_.note(crew_, other.view(), none.view());
+  list_.note(crew_, one.view(), other.view());
+  EXPECT_EQ(list_.size(), 2U);
+  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{1, 2}, SlotPair{4, 5}));
+}
+
 TEST_P(CandidateListTest, StaysAsItIsWhenNothingChanges) {
   Parts found{{1, 2}, {4, 5}};
   list_.replace(found.view());
@@ -130,10 +143,13 @@ TEST_P(CandidateListTest, ChangesOneByOneAmountToTheSameSet) {
     truth = std::move(next);
     if (round % 7 == 3) {
       list_.replace(all.view());
-    } else {
+    } else if (round % 3 == 0) {
       list_.change(crew_, began.view(), ended.view());
+    } else {
+      list_.note(crew_, began.view(), ended.view());
     }
     ASSERT_EQ(list_.size(), truth.size());
+    if (round % 2 == 0 && round % 7 != 3) continue;
     // Keys stay where they are until the next call; here they do not outlive the round.
     ASSERT_TRUE(std::ranges::equal(list_.pairs(crew_), truth)) << "round " << round;
   }
@@ -141,23 +157,6 @@ TEST_P(CandidateListTest, ChangesOneByOneAmountToTheSameSet) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Workers, CandidateListTest, testing::Values(1U, 3U));
-
-TEST(FindChangesOfSlots, TellsWhatDiffersBetweenTwoLists) {
-  using Pairs = std::vector<SlotPair>;
-  Array<SlotPair> began;
-  Array<SlotPair> ended;
-  const auto expect = [&](const Pairs& old, const Pairs& now, const Pairs& in_began, const Pairs& in_ended) {
-    const SlotPairChanges changes = find_changes(old, now, began, ended);
-    EXPECT_TRUE(std::ranges::equal(changes.began, in_began));
-    EXPECT_TRUE(std::ranges::equal(changes.ended, in_ended));
-  };
-  const Pairs some = {{0, 1}, {2, 3}, {2, kSlotMask}};
-  expect({}, {}, {}, {});
-  expect(some, some, {}, {});
-  expect({}, some, some, {});
-  expect(some, {}, {}, some);
-  expect(some, {{0, 2}, {2, 3}, {5, 6}}, {{0, 2}, {5, 6}}, {{0, 1}, {2, kSlotMask}});
-}
 
 }  // namespace
 }  // namespace cellsweep::stream

@@ -1,0 +1,122 @@
+#include "base/pair_changes.h"
+
+#include <algorithm>
+
+namespace cellsweep {
+namespace {
+
+template <class AnyPair>
+AnyPair pair_of(std::uint64_t key) {
+  return {static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
+}
+
+/// Copies a list from place to place.
+template <class AnyPair>
+class RunCopy {
+ public:
+  RunCopy(std::span<const AnyPair> from, AnyPair* to) : from_(from), to_(to) {}
+
+  /// All that is below the key.
+  void until(std::uint64_t key) {
+    // Changes are many or few: look nearby first.
+    std::size_t step = 1;
+    while (step < from_.size() && pair_key(from_[step]) < key) step *= 2;
+    const auto last = from_.begin() + static_cast<std::ptrdiff_t>(std::min(step + 1, from_.size()));
+    const auto end = std::lower_bound(
+        from_.begin(), last, key, [](const AnyPair& pair, std::uint64_t k) { return pair_key(pair) < k; });
+    to_ = std::copy(from_.begin(), end, to_);
+    from_ = from_.subspan(static_cast<std::size_t>(end - from_.begin()));
+  }
+  void leave_out(std::uint64_t key) {
+    if (!from_.empty() && pair_key(from_[0]) == key) from_ = from_.subspan(1);
+  }
+  void put(const AnyPair& pair) { *to_++ = pair; }
+
+  /// Copies the rest and returns the end of all.
+  AnyPair* finish() { return std::copy(from_.begin(), from_.end(), to_); }
+
+ private:
+  std::span<const AnyPair> from_;
+  AnyPair* to_;
+};
+
+}  // namespace
+
+template <class AnyPair>
+void find_changes(std::span<const AnyPair> old, std::span<const AnyPair> now,
+                  std::span<const std::uint32_t> gone, Array<AnyPair>& began_list,
+                  Array<AnyPair>& ended_list) {
+  const auto is_gone = [&](std::uint32_t number) {
+    return std::binary_search(gone.begin(), gone.end(), number);
+  };
+  began_list.renew(now.size());
+  ended_list.renew(old.size());
+  AnyPair* began = began_list.data();
+  AnyPair* ended = ended_list.data();
+  std::size_t i = 0, j = 0;
+  while (i < old.size() && j < now.size()) {
+    const std::uint64_t before = pair_key(old[i]);
+    const std::uint64_t after = pair_key(now[j]);
+    *ended = old[i];
+    *began = now[j];
+    const bool other = before == after && !gone.empty() && (is_gone(old[i].a) || is_gone(old[i].b));
+    ended += before < after || other ? 1 : 0;
+    began += after < before || other ? 1 : 0;
+    i += before <= after ? 1 : 0;
+    j += after <= before ? 1 : 0;
+  }
+  ended = std::copy(old.begin() + static_cast<std::ptrdiff_t>(i), old.end(), ended);
+  began = std::copy(now.begin() + static_cast<std::ptrdiff_t>(j), now.end(), began);
+  began_list.shrink(static_cast<std::size_t>(began - began_list.data()));
+  ended_list.shrink(static_cast<std::size_t>(ended - ended_list.data()));
+}
+
+template <class AnyPair>
+void apply_changes(std::span<const AnyPair> old, std::span<const AnyPair> began,
+                   std::span<const AnyPair> ended, Array<AnyPair>& now) {
+  now.renew(old.size() + began.size());
+  RunCopy copy(old, now.data());
+  while (!began.empty() || !ended.empty()) {
+    // A pair that is in both lists ended with one body and began with another of the same number.
+    const bool is_end = began.empty() || (!ended.empty() && pair_key(ended[0]) <= pair_key(began[0]));
+    const AnyPair pair = is_end ? ended[0] : began[0];
+    copy.until(pair_key(pair));
+    if (is_end) {
+      copy.leave_out(pair_key(pair));
+      ended = ended.subspan(1);
+    } else {
+      copy.put(pair);
+      began = began.subspan(1);
+    }
+  }
+  now.shrink(static_cast<std::size_t>(copy.finish() - now.data()));
+}
+
+template <class AnyPair>
+void apply_notes(std::span<const AnyPair> old, std::span<PairNote> notes, Array<AnyPair>& now) {
+  std::stable_sort(notes.begin(), notes.end(),
+                   [](const PairNote& one, const PairNote& other) { return one.key < other.key; });
+  now.renew(old.size() + notes.size());
+  RunCopy copy(old, now.data());
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    const bool is_last = i + 1 == notes.size() || notes[i + 1].key != notes[i].key;
+    if (!is_last) continue;
+    copy.until(notes[i].key);
+    copy.leave_out(notes[i].key);
+    if (notes[i].is_there) copy.put(pair_of<AnyPair>(notes[i].key));
+  }
+  now.shrink(static_cast<std::size_t>(copy.finish() - now.data()));
+}
+
+template void find_changes(std::span<const Pair>, std::span<const Pair>, std::span<const std::uint32_t>,
+                           Array<Pair>&, Array<Pair>&);
+template void find_changes(std::span<const SlotPair>, std::span<const SlotPair>,
+                           std::span<const std::uint32_t>, Array<SlotPair>&, Array<SlotPair>&);
+template void apply_changes(std::span<const Pair>, std::span<const Pair>, std::span<const Pair>,
+                            Array<Pair>&);
+template void apply_changes(std::span<const SlotPair>, std::span<const SlotPair>, std::span<const SlotPair>,
+                            Array<SlotPair>&);
+template void apply_notes(std::span<const Pair>, std::span<PairNote>, Array<Pair>&);
+template void apply_notes(std::span<const SlotPair>, std::span<PairNote>, Array<SlotPair>&);
+
+}  // namespace cellsweep

@@ -1,0 +1,38 @@
+/// @file
+/// Ascending lists of pairs: what differs between two, and how one becomes the next.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/memory/array.h"
+#include "cellsweep/engine/engine.h"
+#include "cellsweep/pair.h"
+
+namespace cellsweep {
+
+/// A change that waits: from then on the pair is in the list, or is not.
+struct PairNote {
+  std::uint64_t key = 0;  ///< pair_key()
+  bool is_there = false;
+};
+
+// `AnyPair` is Pair or SlotPair. Lists are ascending.
+
+/// What differs between two lists. Pairs of the numbers in `gone`, ascending, end and begin though they are
+/// in both.
+template <class AnyPair>
+void find_changes(std::span<const AnyPair> old, std::span<const AnyPair> now,
+                  std::span<const std::uint32_t> gone, Array<AnyPair>& began, Array<AnyPair>& ended);
+
+/// Writes a list with some changes to `now`. What lies between two changes is copied as a whole.
+template <class AnyPair>
+void apply_changes(std::span<const AnyPair> old, std::span<const AnyPair> began,
+                   std::span<const AnyPair> ended, Array<AnyPair>& now);
+
+/// The same with changes in the order in which they came, the last word on a pair counting. Sorts them.
+/// Throws std::bad_alloc before anything is written.
+template <class AnyPair>
+void apply_notes(std::span<const AnyPair> old, std::span<PairNote> notes, Array<AnyPair>& now);
+
+}  // namespace cellsweep
