@@ -111,11 +111,12 @@ FoundPairs Stream::counted(const FoundPairs& found) {
 }
 
 FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer) {
-  if (bodies_ == 0) return find_none();
+  if (bodies_ == 0) return find_none(changes);
   if (candidates_are_pairs_ && fat_boxes_.have_slack() && kind != kFull) {
-    marks_.start(candidates_.size());
     candidates_are_pairs_ = false;
+    marks_are_stale_ = true;
   }
+  if (kind != kFull && are_few(changes)) return find_of_few(changes, timer);
   if (kind == kInPlace) return test_candidates(changes, {}, timer);
   const Clock::time_point start = Clock::now();
   if (kind == kPartial && change_cells()) return find_changed(changes, start, timer);
@@ -136,6 +137,7 @@ bool Stream::change_cells() {
 }
 
 FoundPairs Stream::find_changed(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer) {
+  repair_marks(changes);
   timer.lap("cells");
   const auto count = static_cast<double>(fat_boxes_.changes().size());
   changed_ += fat_boxes_.changes().size();
@@ -147,8 +149,8 @@ FoundPairs Stream::find_changed(const BodyChanges& changes, Clock::time_point st
 }
 
 // With nobody left, everything ends, and the memory goes back.
-FoundPairs Stream::find_none() {
-  list_pairs_before();
+FoundPairs Stream::find_none(const BodyChanges& changes) {
+  list_pairs_before(changes);
   fat_boxes_ = {};
   cells_.build({nullptr, 0});
   candidates_ = {};
@@ -157,12 +159,14 @@ FoundPairs Stream::find_none() {
   began_ = {};
   ended_ = {};
   fresh_ = Vector<std::uint8_t>();
+  few_ = {};
   candidates_are_pairs_ = true;
+  marks_are_stale_ = false;
   return {.ended = std::as_const(before_).view()};
 }
 
 FoundPairs Stream::find_all(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer) {
-  list_pairs_before();
+  list_pairs_before(changes);
   crew_.plan(bodies_, full_cost_.seconds);
   build_cells(changes);
   built_copies_ = cells_.copies();
@@ -185,6 +189,8 @@ FoundPairs Stream::test_all(const BodyChanges& changes, PhaseTimer& timer) {
   const std::span<const SlotPair> candidates = candidates_.pairs(crew_);
   crew_.plan(candidates.size(), tuning::kTestGuess);
   marks_.test_all(crew_, candidates, changes.boxes.data());
+  tested_ += candidates.size();
+  marks_are_stale_ = false;
   marks_.list_marked(candidates, now_);
   const FoundPairs found = compare_with_before(std::as_const(now_).view());
   timer.lap("tests");
@@ -192,7 +198,8 @@ FoundPairs Stream::test_all(const BodyChanges& changes, PhaseTimer& timer) {
 }
 
 // What the candidates are about to be replaced by says nothing about them.
-void Stream::list_pairs_before() {
+void Stream::list_pairs_before(const BodyChanges& changes) {
+  repair_marks(changes);
   const std::span<const SlotPair> candidates = candidates_.pairs(crew_);
   if (!candidates_are_pairs_) return marks_.list_marked(candidates, before_);
   before_.renew(candidates.size());
@@ -202,6 +209,40 @@ void Stream::list_pairs_before() {
 FoundPairs Stream::compare_with_before(std::span<const SlotPair> now) {
   find_changes<SlotPair>(before_.view(), now, {}, began_, ended_);
   return {.began = std::as_const(began_).view(), .ended = std::as_const(ended_).view()};
+}
+
+// Where marks were not kept up to date, they are what the boxes of the last update say.
+void Stream::repair_marks(const BodyChanges& changes) {
+  if (!marks_are_stale_) return;
+  const std::span<const SlotPair> candidates = candidates_.pairs(crew_);
+  crew_.plan(candidates.size(), tuning::kTestGuess);
+  mark_fresh(changes, 1);
+  marks_.test_all(crew_, candidates, BoxesBefore{changes.boxes.data(), changes.before.data(), fresh_.data()});
+  mark_fresh(changes, 0);
+  tested_ += candidates.size();
+  marks_are_stale_ = false;
+}
+
+bool Stream::are_few(const BodyChanges& changes) const {
+  const std::size_t count = changes.moved.size() + changes.inserted.size() + changes.removed.size();
+  return count * tuning::kCandidatesOfQuery < candidates_.size();
+}
+
+FoundPairs Stream::find_of_few(const BodyChanges& changes, PhaseTimer& timer) {
+  mark_fresh(changes, 1);
+  few_.ask_before(cells_, changes, fresh_.data());
+  for (const FatBoxChange& change : fat_boxes_.changes()) {
+    cells_.change_one(change);
+    candidates_.note(crew_, cells_.began(), cells_.ended());
+  }
+  changed_ += fat_boxes_.changes().size();
+  timer.lap("cells");
+  few_.ask_now(cells_, changes, fresh_.data());
+  mark_fresh(changes, 0);
+  marks_are_stale_ = !candidates_are_pairs_;
+  const SlotPairChanges found = few_.changes(crew_);
+  timer.lap("tests");
+  return {.began = found.began, .ended = found.ended};
 }
 
 std::size_t Stream::generous_limit() const {
@@ -226,6 +267,7 @@ void Stream::build_cells(const BodyChanges& changes) {
 
 FoundPairs Stream::test_candidates(const BodyChanges& changes, const SlotPairChanges& of_candidates,
                                    PhaseTimer& timer) {
+  repair_marks(changes);
   const SlotPairChanges found = refresh_marks(changes, of_candidates);
   timer.lap("tests");
   return {.began = found.began, .ended = found.ended};
@@ -234,9 +276,9 @@ FoundPairs Stream::test_candidates(const BodyChanges& changes, const SlotPairCha
 SlotPairChanges Stream::refresh_marks(const BodyChanges& changes, const SlotPairChanges& of_candidates) {
   const std::span<const SlotPair> candidates = candidates_.pairs(crew_);
   crew_.plan(candidates.size(), tuning::kTestGuess);
+  tested_ += candidates.size();
   const bool few = changes.moved.size() + changes.inserted.size() < bodies_ / tuning::kFewFresh;
   if (!few) return marks_.refresh(crew_, candidates, of_candidates, {changes.boxes.data()});
-  fresh_.resize(changes.boxes.size(), 0);
   mark_fresh(changes, 1);
   const SlotPairChanges found =
       marks_.refresh(crew_, candidates, of_candidates, {changes.boxes.data(), fresh_.data()});
@@ -245,6 +287,9 @@ SlotPairChanges Stream::refresh_marks(const BodyChanges& changes, const SlotPair
 }
 
 void Stream::mark_fresh(const BodyChanges& changes, std::uint8_t mark) {
+  make_room(fresh_, changes.boxes.size());
+  fresh_.resize(changes.boxes.size(), 0);
+  for (const Slot slot : changes.removed) fresh_[slot] = mark;
   for (const Slot slot : changes.moved) fresh_[slot] = mark;
   for (const Slot slot : changes.inserted) fresh_[slot] = mark;
 }
@@ -261,7 +306,7 @@ void Stream::plan_ahead() {
 
 void Stream::refresh_counters(Statistics& statistics) {
   bytes_ = fat_boxes_.bytes() + cells_.bytes() + candidates_.bytes() + marks_.bytes() + before_.bytes() +
-           now_.bytes() + began_.bytes() + ended_.bytes() + fresh_.capacity();
+           now_.bytes() + began_.bytes() + ended_.bytes() + fresh_.capacity() + few_.bytes();
   statistics.bytes += bytes_;
   statistics.counters.assign({{"full updates", updates_[kFull]},
                               {"partial updates", updates_[kPartial]},
@@ -271,6 +316,7 @@ void Stream::refresh_counters(Statistics& statistics) {
                               {"candidates", candidates_.size()},
                               {"pieces", cells_.pieces()},
                               {"boxes in cells", cells_.copies()},
+                              {"boxes compared", cells_.tests() + tested_},
                               {"workers", crew_.active()},
                               {"vector lanes", parts_.kernels->lanes}});
   if (parts_.finder) parts_.finder->add_counters(statistics.counters);

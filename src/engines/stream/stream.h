@@ -16,6 +16,7 @@
 #include "engines/stream/cells/cell_tree.h"
 #include "engines/stream/pairs/candidate_list.h"
 #include "engines/stream/pairs/overlap_marks.h"
+#include "engines/stream/pairs/pairs_of_few.h"
 
 namespace cellsweep::stream {
 
@@ -53,7 +54,7 @@ class Stream final : public Engine, public HasFinder {
 
   Kind take(const BodyChanges& changes);
   FoundPairs find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
-  FoundPairs find_none();
+  FoundPairs find_none(const BodyChanges& changes);
   FoundPairs find_all(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer);
   FoundPairs find_changed(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer);
   bool change_cells();
@@ -61,7 +62,10 @@ class Stream final : public Engine, public HasFinder {
   FoundPairs test_candidates(const BodyChanges& changes, const SlotPairChanges& of_candidates,
                              PhaseTimer& timer);
   SlotPairChanges refresh_marks(const BodyChanges& changes, const SlotPairChanges& of_candidates);
-  void list_pairs_before();
+  bool are_few(const BodyChanges& changes) const;
+  FoundPairs find_of_few(const BodyChanges& changes, PhaseTimer& timer);
+  void repair_marks(const BodyChanges& changes);
+  void list_pairs_before(const BodyChanges& changes);
   FoundPairs compare_with_before(std::span<const SlotPair> now);
   void build_cells(const BodyChanges& changes);
   FoundPairs counted(const FoundPairs& found);
@@ -78,6 +82,8 @@ class Stream final : public Engine, public HasFinder {
   CandidateList candidates_;  // pairs of overlapping fat boxes
   OverlapMarks marks_;        // which of them are pairs, from when on not all are
   bool candidates_are_pairs_ = true;
+  bool marks_are_stale_ = false;  // of boxes of earlier updates
+  PairsOfFew few_;
   std::size_t pairs_ = 0;   // how many there are
   Array<SlotPair> before_;  // the pairs of the update before, when everything is found anew
   Array<SlotPair> now_;     // and those of this one
@@ -91,6 +97,7 @@ class Stream final : public Engine, public HasFinder {
   std::array<std::uint64_t, kKinds> updates_{};
   std::uint64_t changed_ = 0;
   std::uint64_t built_copies_ = 0;
+  std::uint64_t tested_ = 0;  // candidates
   std::size_t bytes_ = 0;
 };
 

@@ -62,6 +62,10 @@ void move_every(Broadphase& engine, const std::vector<Aabb>& boxes, std::size_t 
   ASSERT_TRUE(engine.move(ids, moved).ok());
 }
 
+std::vector<Pair> pairs_among(const std::vector<Aabb>& boxes) {
+  return brute_force_pairs(boxes);
+}
+
 testing::AssertionResult is_exact(const Broadphase& engine, const std::vector<Aabb>& boxes) {
   const std::vector<Pair> truth = brute_force_pairs(boxes);
   if (std::ranges::equal(engine.pairs(), truth)) return testing::AssertionSuccess();

@@ -41,6 +41,9 @@ void insert_all(Broadphase& engine, const std::vector<Aabb>& boxes);
 /// Moves all bodies that `every` divides to the boxes of `boxes`; all when it is 1.
 void move_every(Broadphase& engine, const std::vector<Aabb>& boxes, std::size_t every);
 
+/// All pairs of these boxes by number, ascending, without any engine.
+std::vector<Pair> pairs_among(const std::vector<Aabb>& boxes);
+
 /// Success when the engine's pairs are those of brute force.
 testing::AssertionResult is_exact(const Broadphase& engine, const std::vector<Aabb>& boxes);
 

@@ -1,8 +1,11 @@
 #include "engines/stream/cells/cell_tree.h"
 
+#include <utility>
+
 #include "base/tuning.h"
 #include "engines/stream/cells/tree_build.h"
 #include "engines/stream/cells/tree_change.h"
+#include "engines/stream/cells/tree_query.h"
 
 namespace cellsweep::stream {
 CellTree::CellTree(Crew& crew, const Kernels& kernels, PieceFinder* finder)
@@ -36,12 +39,35 @@ void CellTree::build(const Boxes& boxes) {
 }
 
 void CellTree::change(std::span<const FatBoxChange> changes) {
+  clear_changes();
+  TreeChanger(crew_, kernels_, scratches_).change(changes, root_);
+  show_changes();
+}
+
+void CellTree::change_one(const FatBoxChange& change) {
+  clear_changes();
+  std::size_t& most = scratches_[0]->began.buffer().most;
+  const std::size_t limit = std::exchange(most, ~std::size_t{0});
+  TreeChanger(crew_, kernels_, scratches_).change_one(change, root_);
+  most = limit;
+  show_changes();
+}
+
+void CellTree::find_partners(const Aabb& box, Keys& slots) {
+  TreeQuery query(kernels_, slots.buffer());
+  query.find(box, root_);
+  scratches_[0]->tests += query.tests();
+}
+
+void CellTree::clear_changes() {
   for (const auto& scratch : scratches_) {
     scratch->job.release({});
     scratch->began.clear();
     scratch->ended.clear();
   }
-  TreeChanger(crew_, kernels_, scratches_).change(changes, root_);
+}
+
+void CellTree::show_changes() {
   for (std::size_t worker = 0; worker < scratches_.size(); ++worker) {
     began_[worker] = scratches_[worker]->began.view();
     ended_[worker] = scratches_[worker]->ended.view();
@@ -51,6 +77,12 @@ void CellTree::change(std::span<const FatBoxChange> changes) {
 std::uint64_t CellTree::copies() const {
   std::uint64_t sum = 0;
   for (const auto& scratch : scratches_) sum += scratch->copies;
+  return sum;
+}
+
+std::uint64_t CellTree::tests() const {
+  std::uint64_t sum = 0;
+  for (const auto& scratch : scratches_) sum += scratch->tests;
   return sum;
 }
 

@@ -45,6 +45,7 @@ struct alignas(64) Scratch {
   Keys began;
   Keys ended;
   std::uint64_t copies = 0;  // boxes that this worker put into cells
+  std::uint64_t tests = 0;   // comparisons of two boxes, since it was made
 };
 
 /// Bodies' boxes in space, and the pairs among them, as keys of slots.
@@ -66,6 +67,13 @@ class CellTree {
   /// in both.
   void change(std::span<const FatBoxChange> changes);
 
+  /// The same for one body, in time that does not depend on how many cells there are. Not limited: a body has
+  /// no more pairs than there are bodies.
+  void change_one(const FatBoxChange& change);
+
+  /// Appends the slots of all bodies whose boxes overlap this one, each once.
+  void find_partners(const Aabb& box, Keys& slots);
+
   /// Valid until the next build(), began() and ended() until the next change().
   KeyParts found() const { return found_; }
   KeyParts began() const { return began_; }
@@ -76,10 +84,15 @@ class CellTree {
   std::uint64_t pieces() const { return root_.grid.cells(); }
   /// Boxes put into cells by the last build and since.
   std::uint64_t copies() const;
+  /// Comparisons of two boxes so far.
+  std::uint64_t tests() const;
   /// Bytes held.
   std::size_t bytes() const;
 
  private:
+  void clear_changes();
+  void show_changes();
+
   Crew& crew_;
   const Kernels& kernels_;
   PieceFinder* finder_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "base/memory/memory.h"
 
@@ -20,6 +21,11 @@ void grow_keys(KeyBuffer& buffer, std::size_t more) {
 
 Keys::Keys() {
   buffer_.grow = grow_keys;
+}
+
+Keys& Keys::operator=(Keys&& other) noexcept {
+  std::swap(buffer_, other.buffer_);
+  return *this;
 }
 
 void Keys::clear() {

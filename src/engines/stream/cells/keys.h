@@ -2,6 +2,7 @@
 /// Pair keys that grow: what the kernels write into.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -15,10 +16,12 @@ class Keys {
   Keys();
   Keys(const Keys&) = delete;
   Keys& operator=(const Keys&) = delete;
+  Keys& operator=(Keys&& other) noexcept;
   ~Keys();
 
   KeyBuffer& buffer() { return buffer_; }
   std::span<const std::uint64_t> view() const { return {buffer_.keys, buffer_.size}; }
+  std::size_t bytes() const { return buffer_.capacity * sizeof(std::uint64_t); }
   /// Empties it; gives memory back when there was use for little of it.
   void clear();
 

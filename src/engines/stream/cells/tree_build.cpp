@@ -170,6 +170,7 @@ void TreeBuilder::find_pairs(const CellBoxes& cell, Scratch& scratch) const {
     scratch.collected.push_back(cell);
   } else {
     kernels_.all_pairs(cell, scratch.found.buffer());
+    scratch.tests += std::uint64_t{cell.count} * (cell.count - 1) / 2;
   }
 }
 

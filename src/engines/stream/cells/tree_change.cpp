@@ -1,6 +1,7 @@
 #include "engines/stream/cells/tree_change.h"
 
 #include <algorithm>
+#include <array>
 
 #include "engines/stream/cells/tree_build.h"
 
@@ -91,6 +92,36 @@ void TreeChanger::change(std::span<const FatBoxChange> changes, Node& root) {
   });
 }
 
+void TreeChanger::change_one(const FatBoxChange& change, Node& root) {
+  struct CellVisit {
+    std::uint32_t cell;
+    Visit visit;
+  };
+  changes_ = {&change, 1};
+  Scratch& scratch = *scratches_[0];
+  std::size_t count = 0;
+  for_each_visit(first_visit(change, 0), root.grid, [&](std::uint32_t, const Visit&) { ++count; });
+  auto* visits = scratch.job.take<CellVisit>(count);
+  CellVisit* end = visits;
+  for_each_visit(first_visit(change, 0), root.grid, [&](std::uint32_t cell, const Visit& visit) {
+    *end++ = CellVisit{cell, visit};
+  });
+  // Of a cell that it stays in, the visit that takes it out comes first.
+  std::sort(visits, end, [](const CellVisit& one, const CellVisit& other) {
+    if (one.cell != other.cell) return one.cell < other.cell;
+    return one.visit.new_flags == 0 && other.visit.new_flags != 0;
+  });
+  for (const CellVisit* first = visits; first != end;) {
+    const CellVisit* const next =
+        std::find_if(first, const_cast<const CellVisit*>(end),
+                     [&](const CellVisit& visit) { return visit.cell != first->cell; });
+    std::array<Visit, 2> here;
+    std::transform(first, next, here.begin(), [](const CellVisit& visit) { return visit.visit; });
+    change_cell({here.data(), static_cast<std::size_t>(next - first)}, root.cells[first->cell], scratch);
+    first = next;
+  }
+}
+
 // The two visits of a body that stays in a cell but not in all of its cells stand side by side.
 std::span<TreeChanger::Visit> TreeChanger::merge(std::span<Visit> visits) {
   std::size_t kept = 0;
@@ -157,6 +188,7 @@ void TreeChanger::change_boxes(std::span<const Visit> visits, CellBoxes& cell, S
   auto* rank = scratch.job.take<std::uint32_t>(cell.count);
   std::fill_n(rank, cell.count, ~0U);
   for (std::uint32_t v = 0; v < visits.size(); ++v) rank[changed[v]] = v;
+  scratch.tests += std::uint64_t{visits.size()} * cell.count;
   kernels_.changed_pairs(old, cell, {changed, visits.size()}, rank,
                          {scratch.began.buffer(), scratch.ended.buffer()});
   for (const Visit& visit : visits) {

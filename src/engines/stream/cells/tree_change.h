@@ -16,6 +16,7 @@ class TreeChanger {
       : crew_(crew), kernels_(kernels), scratches_(scratches) {}
 
   void change(std::span<const FatBoxChange> changes, Node& root);
+  void change_one(const FatBoxChange& change, Node& root);
 
  private:
   /// A changed body in a cell: in it before, or now, or both, and on which axes it starts there.

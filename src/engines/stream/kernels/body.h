@@ -131,9 +131,24 @@ void changed_pairs(const CellBoxes& old, const CellBoxes& now, Places changed, c
 }
 
 template <class Lanes>
+void partners(const CellBoxes& cell, const TaggedBox& box, KeyBuffer& slots) {
+  for (std::uint32_t first = 0; first < cell.count; first += Lanes::kCount) {
+    const Block<Lanes> block(cell.boxes + first);
+    make_room(slots, Lanes::kCount);
+    std::uint32_t lanes = block.hits(box.box) & lanes_below<Lanes>(cell.count - first);
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const std::uint32_t other = cell.boxes[first + static_cast<unsigned>(__builtin_ctz(lanes))].tag;
+      slots.keys[slots.size] = other & kSlotMask;
+      slots.size += owns(box.tag, other) ? 1 : 0;
+    }
+  }
+}
+
+template <class Lanes>
 constexpr Kernels make_kernels(VectorIsa isa, const char* name) {
   static_assert(Lanes::kCount <= kMaxLanes);
-  return {isa, name, Lanes::kCount, Lanes::eight_blocks, all_pairs<Lanes>, changed_pairs<Lanes>};
+  return {
+      isa, name, Lanes::kCount, Lanes::eight_blocks, all_pairs<Lanes>, changed_pairs<Lanes>, partners<Lanes>};
 }
 
 }  // namespace

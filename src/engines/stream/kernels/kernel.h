@@ -67,6 +67,9 @@ struct Kernels {
   /// and a larger number for the others.
   void (*changed_pairs)(const CellBoxes& old, const CellBoxes& now, Places changed, const std::uint32_t* rank,
                         const KeyChanges& changes);
+
+  /// Appends the slots of the boxes that overlap this one, where the cell owns the pair.
+  void (*partners)(const CellBoxes& cell, const TaggedBox& box, KeyBuffer& slots);
 };
 
 /// The kernels of an instruction set, or of the best one; null when this processor or build does not have it.

@@ -171,21 +171,31 @@ void OverlapMarks::make_room(std::size_t candidates, std::size_t ended) {
   ended_.renew(candidates + ended);
 }
 
-void OverlapMarks::start(std::size_t candidates) {
-  marks_.renew(candidates);
-  std::fill_n(marks_.data(), candidates, std::uint8_t{1});
-}
-
-void OverlapMarks::test_all(Crew& crew, std::span<const SlotPair> candidates, const Aabb* boxes) {
+template <class Test>
+void OverlapMarks::mark(Crew& crew, std::span<const SlotPair> candidates, Test&& test) {
   marks_.renew(candidates.size());
   crew.run([&](unsigned worker) {
     const Share share = Share::of(candidates.size(), worker, crew.active());
     const auto mine = share_of(candidates, share);
     std::uint8_t* marks = marks_.data() + share.first;
-    for (std::size_t i = 0; i < mine.size(); ++i) {
-      prefetch(mine, i, boxes);
-      marks[i] = overlap(boxes, mine[i]) ? 1 : 0;
-    }
+    for (std::size_t i = 0; i < mine.size(); ++i) marks[i] = test(mine, i) ? 1 : 0;
+  });
+}
+
+void OverlapMarks::test_all(Crew& crew, std::span<const SlotPair> candidates, const Aabb* boxes) {
+  mark(crew, candidates, [boxes](std::span<const SlotPair> mine, std::size_t i) {
+    prefetch(mine, i, boxes);
+    return overlap(boxes, mine[i]);
+  });
+}
+
+void OverlapMarks::test_all(Crew& crew, std::span<const SlotPair> candidates, const BoxesBefore& boxes) {
+  const auto box_of = [&](Slot slot) {
+    return BoxLanes(boxes.fresh[slot] != 0 ? boxes.before[slot] : boxes.boxes[slot]);
+  };
+  mark(crew, candidates, [&](std::span<const SlotPair> mine, std::size_t i) {
+    prefetch(mine, i, boxes.boxes);
+    return cellsweep::overlap(box_of(mine[i].a), box_of(mine[i].b));
   });
 }
 

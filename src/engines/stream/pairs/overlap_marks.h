@@ -19,14 +19,19 @@ struct TestedBoxes {
   const std::uint8_t* fresh = nullptr;
 };
 
+/// Boxes as they were at the last test, by slot.
+struct BoxesBefore {
+  const Aabb* boxes = nullptr;          ///< as they are now
+  const Aabb* before = nullptr;         ///< of the bodies that changed
+  const std::uint8_t* fresh = nullptr;  ///< not 0 of those
+};
+
 /// A mark for each candidate, whether it overlapped at the last test.
 class OverlapMarks {
  public:
-  /// All candidates overlap.
-  void start(std::size_t candidates);
-
   /// Tests all candidates, which may be others than before; nothing is known of them.
   void test_all(Crew& crew, std::span<const SlotPair> candidates, const Aabb* boxes);
+  void test_all(Crew& crew, std::span<const SlotPair> candidates, const BoxesBefore& boxes);
 
   /// Tests candidates that differ from those before by `changes`, and says which began and ended to overlap.
   SlotPairChanges refresh(Crew& crew, std::span<const SlotPair> candidates, const SlotPairChanges& changes,
@@ -39,6 +44,8 @@ class OverlapMarks {
   std::size_t bytes() const;
 
  private:
+  template <class Test>
+  void mark(Crew& crew, std::span<const SlotPair> candidates, Test&& test);
   void make_room(std::size_t candidates, std::size_t ended);
 
   Array<std::uint8_t> marks_;

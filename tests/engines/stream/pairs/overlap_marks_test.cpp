@@ -97,12 +97,17 @@ class OverlapMarksTest : public testing::TestWithParam<unsigned> {
   OverlapMarks marks_;
 };
 
-TEST_P(OverlapMarksTest, AreAllSetAtTheStart) {
-  marks_.start(0);
+TEST_P(OverlapMarksTest, SayWhichOverlappedBeforeSomeBoxesChanged) {
+  marks_.test_all(crew_, {}, BoxesBefore{});
   EXPECT_THAT(marked(), IsEmpty());
   change_candidates(400);
-  marks_.start(candidates_.size());
-  EXPECT_EQ(marked(), candidates_);
+  for (int round = 0; round < 20; ++round) {
+    const Pairs expected = truth();
+    const std::vector<Aabb> before = boxes_;
+    move_some();
+    marks_.test_all(crew_, candidates_, BoxesBefore{boxes_.data(), before.data(), fresh_.data()});
+    EXPECT_EQ(marked(), expected);
+  }
 }
 
 TEST_P(OverlapMarksTest, SayWhichOverlapWhenAllAreTested) {
