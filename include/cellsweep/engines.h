@@ -18,6 +18,7 @@ enum class SettingKind {
   flag,    ///< "true" or "false"
   number,  ///< a whole number, 0 or more
   bytes,   ///< a number of bytes
+  length,  ///< a length in world units, 0 or more, as 0.25
   choice,  ///< one of SettingInfo::choices
   text,
   texts  ///< may be given several times

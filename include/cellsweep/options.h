@@ -19,7 +19,7 @@ enum class VectorIsa {
   avx512     ///< sixteen
 };
 
-/// Engine `stream`: worlds of any size; the one to use. It has nothing that needs tuning.
+/// Engine `stream`: worlds of any size; the one to use. Nothing in it needs tuning.
 struct StreamOptions {
   /// Threads, the caller's included. 0: as many as the machine has, 16 at most, where they pay. N: that many,
   /// as soon as each has 16 bodies to do. With an `executor`: at most so many of its tasks at a time.
@@ -30,6 +30,11 @@ struct StreamOptions {
   std::shared_ptr<Executor> executor{};
 
   VectorIsa isa = VectorIsa::best;
+
+  /// How far a body may move about, in world units, without a look at its neighbourhood: its fat box reaches
+  /// so far beyond it on all sides once it has moved. More saves work where bodies tremble and costs some
+  /// where they are dense; pairs are exact all the same. 0: what it finds to pay by how each body moves.
+  float margin = 0;
 
   /// The most pairs that there may be; 0 for no limit. An update() that finds more stops there and returns
   /// StatusCode::capacity. Whether one is refused depends on the pairs alone, not on threads.

@@ -148,6 +148,8 @@ std::string value_name(const SettingInfo& info) {
       return "N";
     case SettingKind::bytes:
       return "SIZE";
+    case SettingKind::length:
+      return "LENGTH";
     case SettingKind::choice: {
       const std::string choices = joined(info.choices, "|");
       return choices.size() <= kLongestChoices ? choices : "NAME";

@@ -2,6 +2,7 @@
 /// Reads an options struct from texts: a row for each member that may be set.
 #pragma once
 
+#include <cfloat>
 #include <charconv>
 #include <span>
 #include <string>
@@ -30,6 +31,16 @@ bool read_number(Number& number, std::string_view value) {
   const auto [last, error] = std::from_chars(value.data(), end, read);
   if (error != std::errc() || last != end) return false;
   number = read;
+  return true;
+}
+
+/// A number with or without a fraction, not negative, that is finite.
+inline bool read_length(float& length, std::string_view value) {
+  float read{};
+  const char* const end = value.data() + value.size();
+  const auto [last, error] = std::from_chars(value.data(), end, read);
+  if (error != std::errc() || last != end || !(read >= 0 && read <= FLT_MAX)) return false;
+  length = read;
   return true;
 }
 
@@ -64,6 +75,8 @@ inline std::string_view describe(SettingKind kind) {
       return "a whole number, 0 or more, that fits";
     case SettingKind::bytes:
       return "a number of bytes";
+    case SettingKind::length:
+      return "a length, 0 or more, as 0.25";
     case SettingKind::choice:
       return "one of its choices";
     default:

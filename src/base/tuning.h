@@ -51,6 +51,10 @@ inline constexpr std::uint32_t kOneAhead = 12;
 inline constexpr std::uint32_t kOneAheadAtLeast = 4;
 /// How much of its own length a box may grow on an axis.
 inline constexpr float kMostGrowth = 0.5F;
+/// And to either side when it trembles; what moves further at a time is on its way.
+inline constexpr float kMostTremble = 0.125F;
+/// A body that leaves its fat box after no more updates than this has turned back.
+inline constexpr std::uint8_t kEarly = 3;
 
 // --- cells
 // ----------------------------------------------------------------------------------------------------

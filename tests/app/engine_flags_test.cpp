@@ -77,6 +77,9 @@ TEST(EngineFlags, StandInTheRefusalsOfTheLibrary) {
   EXPECT_EQ(map.exit_code, 2);
   EXPECT_THAT(map.errors, HasSubstr("--pair-map-bytes"));
   EXPECT_THAT(map.errors, Not(HasSubstr("pair_map_bytes")));
+  const CommandResult margin = run_command("simulate --engine stream --margin -0.5");
+  EXPECT_EQ(margin.exit_code, 2);
+  EXPECT_THAT(margin.errors, HasSubstr("--margin is \"-0.5\""));
   const CommandResult isa = run_command("simulate --engine stream --isa mmx");
   EXPECT_EQ(isa.exit_code, 2);
   EXPECT_THAT(isa.errors, HasSubstr("--isa"));

@@ -22,6 +22,7 @@ struct Options {
   std::uint64_t bytes = 10;
   Colour colour = Colour::red;
   std::string name = "nobody";
+  float width = 0.5F;
 };
 
 constexpr std::array<std::pair<std::string_view, Colour>, 2> kColours = {
@@ -38,6 +39,8 @@ const std::vector<SettingRow<Options>> kRows = {
      [](Options& options, std::string_view value) {
        return read_choice<Colour>(options.colour, value, kColours);
      }},
+    {{"width", SettingKind::length, "0.5", "how wide"},
+     [](Options& options, std::string_view value) { return read_length(options.width, value); }},
     {{"name", SettingKind::text, "nobody", "of whom"},
      [](Options& options, std::string_view value) { return read_text(options.name, value); }},
 };
@@ -51,6 +54,19 @@ TEST(Settings, ThatAreNotGivenStayWhatTheyAre) {
   ASSERT_TRUE(options.ok());
   EXPECT_EQ(options->threads, 3U);
   EXPECT_EQ(options->name, "nobody");
+}
+
+TEST(Settings, AreLengthsWhenTheyAreFiniteAndNotNegative) {
+  for (const auto& [value, width] : {std::pair{"0.25", 0.25F}, {"3", 3.0F}, {"1e-3", 1e-3F}, {"0", 0.0F}}) {
+    const auto options = read({{"width", value}});
+    ASSERT_TRUE(options.ok()) << value;
+    EXPECT_EQ(options->width, width);
+  }
+  for (const char* value : {"-1", "-1e-9", "nan", "inf", "1e99", "", "1m", " 1", "0x1"}) {
+    const Status status = read({{"width", value}}).status();
+    EXPECT_EQ(status.setting, "width") << value;
+    EXPECT_THAT(status.message, AllOf(HasSubstr(value), HasSubstr("a length, 0 or more")));
+  }
 }
 
 TEST(Settings, AreReadFromTheirTexts) {
@@ -95,7 +111,7 @@ TEST(Settings, ThatThereAreNotAreRefusedWithThoseThatThereAre) {
   EXPECT_EQ(status.code, StatusCode::bad_option);
   EXPECT_EQ(status.setting, "thread");
   EXPECT_THAT(status.message,
-              AllOf(HasSubstr("Engine test"), HasSubstr("loud, threads, bytes, colour, name")));
+              AllOf(HasSubstr("Engine test"), HasSubstr("loud, threads, bytes, colour, width, name")));
   const Status none = read_settings<Options>("plain", {{"x", ""}}, {}).status();
   EXPECT_THAT(none.message, AllOf(HasSubstr("Engine plain"), HasSubstr("it has: none")));
 }

@@ -78,7 +78,8 @@ class StagedBoxes {
   void swap_changed();
 
   Vector<Aabb> boxes_;
-  Vector<Aabb> next_;  // of those that moved, and kNobody of those that were removed; during an update, before
+  Vector<Aabb>
+      next_;  // of those that moved, and kNobody of those that were removed; during an update, before
   Vector<BodyState> states_;
   List<Slot> moved_;
   List<Slot> removed_;

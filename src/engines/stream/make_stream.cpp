@@ -18,6 +18,9 @@ namespace {
 /// More than any machine has; more are a slip of the pen.
 constexpr unsigned kMostThreads = 1024;
 
+/// A fat box with more would reach from one end of the numbers to the other.
+constexpr float kLargestMargin = 1e30F;
+
 std::shared_ptr<Crew> make_crew(const StreamOptions& options) {
   const auto choice = options.threads == 0 ? Crew::Choice::by_gain : Crew::Choice::given;
   const unsigned machine = std::min(machine_threads(), tuning::kMostWorkers);
@@ -34,6 +37,10 @@ Status check(const StreamOptions& options) {
                               text("threads is ", options.threads, "; at most ", kMostThreads, " are taken."),
                               options.threads, kMostThreads);
   }
+  if (!(options.margin >= 0 && options.margin <= kLargestMargin)) {
+    return Status::bad_option("margin", text("margin is ", options.margin, "; it must be a length from 0 to ",
+                                             kLargestMargin, "."));
+  }
   if (find_kernels(options.isa) != nullptr) return {};
   return Status::bad_option(
       "isa",
@@ -49,7 +56,8 @@ Result<Broadphase> make_stream_broadphase(const StreamOptions& options, std::str
   if (Status status = check(options); !status.ok()) return status;
   const auto crew = make_crew(options);
   const auto make = [crew, options, make_finder]() -> Result<std::unique_ptr<Engine>> {
-    StreamParts parts{crew, static_cast<std::size_t>(options.max_pairs), find_kernels(options.isa)};
+    StreamParts parts{crew, static_cast<std::size_t>(options.max_pairs), find_kernels(options.isa),
+                      options.margin};
     if (make_finder) {
       auto finder = make_finder();
       if (!finder) return finder.status();

@@ -30,6 +30,9 @@ inline std::vector<SettingRow<StreamOptions>> setting_rows() {
        [](StreamOptions& options, std::string_view value) {
          return read_choice<VectorIsa>(options.isa, value, kIsas);
        }},
+      {{"margin", SettingKind::length, "0",
+        "how far fat boxes reach beyond bodies that move; 0: by how each moves"},
+       [](StreamOptions& options, std::string_view value) { return read_length(options.margin, value); }},
       {{"max_pairs", SettingKind::number, "0", "an update that finds more pairs is refused; 0: no limit"},
        [](StreamOptions& options, std::string_view value) { return read_number(options.max_pairs, value); }},
       {{"trace", SettingKind::text, "", "write a timeline that opens in Perfetto to this file"},

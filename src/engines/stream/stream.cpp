@@ -34,6 +34,7 @@ void Stream::Cost::learn(double sample) {
 Stream::Stream(StreamParts parts)
     : parts_(std::move(parts)),
       crew_(*parts_.crew),
+      fat_boxes_(parts_.margin),
       cells_(crew_, *parts_.kernels, parts_.finder.get()),
       full_cost_{tuning::kFullGuess},
       partial_cost_{tuning::kPartialGuess} {
@@ -151,7 +152,7 @@ FoundPairs Stream::find_changed(const BodyChanges& changes, Clock::time_point st
 // With nobody left, everything ends, and the memory goes back.
 FoundPairs Stream::find_none(const BodyChanges& changes) {
   list_pairs_before(changes);
-  fat_boxes_ = {};
+  fat_boxes_ = FatBoxes(parts_.margin);
   cells_.build({nullptr, 0});
   candidates_ = {};
   marks_ = {};

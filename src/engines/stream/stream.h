@@ -24,6 +24,7 @@ struct StreamParts {
   std::shared_ptr<Crew> crew;
   std::size_t max_pairs = 0;  ///< 0: any number
   const Kernels* kernels = nullptr;
+  float margin = 0;                       ///< StreamOptions::margin
   std::unique_ptr<PieceFinder> finder{};  ///< finds pairs anew in the kernels' place; null for them
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -76,6 +77,18 @@ TEST(MakeStream, RefusesAnInstructionSetThatThereIsNot) {
   EXPECT_EQ(status.code, StatusCode::bad_option);
   EXPECT_EQ(status.setting, "isa");
   EXPECT_EQ(status.number, 77U);
+}
+
+TEST(MakeStream, RefusesAMarginThatIsNoLength) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const float margin :
+       {-1.0F, -1e-30F, 1.1e30F, kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN()}) {
+    const Status status = make_broadphase(StreamOptions{.margin = margin}).status();
+    EXPECT_EQ(status.code, StatusCode::bad_option) << margin;
+    EXPECT_EQ(status.setting, "margin");
+    EXPECT_THAT(status.message, HasSubstr("1e+30"));
+  }
+  EXPECT_TRUE(make_broadphase(StreamOptions{.margin = 1e30F}).ok());
 }
 
 TEST(MakeStream, RefusesATraceFileThatCannotBeWritten) {

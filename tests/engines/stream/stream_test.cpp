@@ -49,6 +49,35 @@ TEST(Stream, LooksAtNoCellWhileBodiesKeepTheirCourse) {
   EXPECT_GE(counter(engine, "in-place updates"), 5U);
 }
 
+/// Of how many bodies in a thousand the cells are looked at in a frame, while all tremble about where they
+/// rest.
+double changed_of_trembling(float by, const StreamOptions& options) {
+  constexpr std::uint64_t kFirst = 20, kFrames = 120;
+  const std::vector<Aabb> rest = uniform_boxes(2000 / kScale, 6);
+  Broadphase engine = engine_with(rest, options);
+  EXPECT_TRUE(engine.update().ok());
+  std::uint64_t before = 0;
+  for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
+    std::vector<Aabb> boxes = rest;
+    shake(boxes, by, frame);
+    move_every(engine, boxes, 1);
+    EXPECT_TRUE(engine.update().ok());
+    EXPECT_TRUE(frame % 10 != 0 || is_exact(engine, boxes));
+    if (frame == kFirst) before = counter(engine, "fat boxes put into cells");
+  }
+  const auto changed = static_cast<double>(counter(engine, "fat boxes put into cells") - before);
+  return 1000 * changed / static_cast<double>(rest.size() * (kFrames - kFirst));
+}
+
+TEST(Stream, LooksAtNoCellWhileBodiesTrembleWithinTheMargin) {
+  EXPECT_EQ(changed_of_trembling(0.02F, {.margin = 0.05F}), 0);
+  EXPECT_EQ(changed_of_trembling(1e-4F, {.margin = 0.001F}), 0);
+}
+
+TEST(Stream, LooksAtFewCellsWhileBodiesTrembleThoughNobodySaidHowMuch) {
+  for (const float by : {1e-5F, 1e-3F, 0.01F}) EXPECT_LT(changed_of_trembling(by, {}), 20) << by;
+}
+
 TEST(Stream, StaysExactThroughManyPartialUpdates) {
   std::vector<Aabb> boxes = uniform_boxes(4000 / kScale, 4);
   std::vector<Aabb> shown = boxes;

@@ -1,5 +1,6 @@
 #include "engines/stream/bodies/fat_boxes.h"
 
+#include <utility>
 #include <vector>
 
 #include "base/tuning.h"
@@ -8,6 +9,11 @@
 #include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {
+namespace {
+
+constexpr std::uint8_t kLongAgo = 128;
+
+}  // namespace
 
 FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::size_t most_listed) {
   changes_.clear();
@@ -16,6 +22,8 @@ FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::siz
   if (slack_) {
     make_room(fat_, changes.boxes.size());
     fat_.resize(changes.boxes.size(), kNobody);
+    make_room(made_, changes.boxes.size());
+    made_.resize(changes.boxes.size(), kLongAgo);
   }
   const std::size_t changed = find_escapes(crew, changes) + changes.removed.size() + changes.inserted.size();
   if (changed > most_listed) {
@@ -36,6 +44,7 @@ void FatBoxes::make_slack(const BodyChanges& changes) {
 
 void FatBoxes::drop_slack() {
   fat_ = Vector<Aabb>();
+  made_ = Vector<std::uint8_t>();
   slack_ = false;
 }
 
@@ -67,7 +76,8 @@ void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
     const Share share = Share::of(changes.moved.size(), worker, crew.active());
     for (std::size_t i = share.first; i < share.last; ++i) {
       const Slot slot = changes.moved[i];
-      fat_[slot] = fat_box_of(changes.before[slot], changes.boxes[slot], tuning::kAllAhead);
+      fat_[slot] =
+          grown(slot, changes.before[slot], changes.boxes[slot], escapes_.data()[i] != 0, tuning::kAllAhead);
     }
   });
 }
@@ -95,9 +105,17 @@ void FatBoxes::list_moved(Slot slot, const Aabb& before, const Aabb& now) {
   const std::uint64_t chance = mix64(std::uint64_t{updates_} << 32 | slot);
   const auto ahead = static_cast<float>(tuning::kOneAheadAtLeast + chance % kSpread);
   Aabb& fat = fat_[slot];
-  const Aabb grown = fat_box_of(before, now, ahead);
-  changes_.push({slot, true, true, fat, grown});
-  fat = grown;
+  const Aabb next = grown(slot, before, now, true, ahead);
+  changes_.push({slot, true, true, fat, next});
+  fat = next;
+}
+
+// A fat box that did not last though the body was slow was made for another course.
+Aabb FatBoxes::grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates) {
+  const auto update = static_cast<std::uint8_t>(updates_);
+  const auto age = static_cast<std::uint8_t>(update - std::exchange(made_[slot], update));
+  const bool turned = escaped && age <= tuning::kEarly && is_short_step(before, now);
+  return fat_box_of(before, now, {updates, turned, margin_});
 }
 
 void FatBoxes::list_inserted(Slot slot, const Aabb& now) {
@@ -106,7 +124,7 @@ void FatBoxes::list_inserted(Slot slot, const Aabb& now) {
 }
 
 std::size_t FatBoxes::bytes() const {
-  return fat_.capacity() * sizeof(Aabb) + escapes_.bytes() + changes_.bytes();
+  return fat_.capacity() * sizeof(Aabb) + made_.capacity() + escapes_.bytes() + changes_.bytes();
 }
 
 }  // namespace cellsweep::stream

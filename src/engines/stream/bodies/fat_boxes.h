@@ -25,9 +25,13 @@ struct FatBoxChange {
 
 /// Every body has two boxes: its own, and a fat box around it in which it may move about. Fat boxes are what
 /// the cells hold; while a body stays inside of its own, no cell changes. It is the box itself until the body
-/// moves, and from then on covers where the body would be some updates later if it kept its course.
+/// moves, and from then on covers where the body would be some updates later if it kept its course, or, for
+/// one that did not, the same way to either side.
 class FatBoxes {
  public:
+  /// `margin` is StreamOptions::margin.
+  explicit FatBoxes(float margin = 0) : margin_(margin) {}
+
   /// What an update did to them.
   enum class Extent {
     inside,  ///< all bodies that moved stayed inside of their fat boxes
@@ -55,6 +59,7 @@ class FatBoxes {
 
  private:
   void make_slack(const BodyChanges& changes);
+  Aabb grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
   void renew_all(Crew& crew, const BodyChanges& changes);
   void list(const BodyChanges& changes, std::size_t count);
@@ -63,8 +68,10 @@ class FatBoxes {
   void list_inserted(Slot slot, const Aabb& now);
 
   Vector<Aabb> fat_;             // by slot; none while all are the boxes themselves
+  Vector<std::uint8_t> made_;    // by slot: the last digits of the update that made the fat box
   Array<std::uint8_t> escapes_;  // by place in the list of moved bodies: it left its fat box
   List<FatBoxChange> changes_;
+  float margin_;
   bool slack_ = false;
   std::uint32_t updates_ = 0;
 };

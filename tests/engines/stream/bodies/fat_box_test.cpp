@@ -27,17 +27,17 @@ bool encloses(const Aabb& hull, const Aabb& box) {
 }
 
 TEST(FatBox, OfABodyAtRestIsItsBox) {
-  EXPECT_EQ(fat_box_of(kUnit, kUnit, 8), kUnit);
-  EXPECT_EQ(fat_box_of(unit_at(-5), unit_at(-5), 12), unit_at(-5));
+  EXPECT_EQ(fat_box_of(kUnit, kUnit, {8}), kUnit);
+  EXPECT_EQ(fat_box_of(unit_at(-5), unit_at(-5), {12}), unit_at(-5));
 }
 
 TEST(FatBox, ReachesWhereTheBodyIsGoing) {
-  EXPECT_EQ(fat_box_of(kUnit, unit_at(0.0625F), 4), (Aabb{{0.0625F, 0, 0}, {1.3125F, 1, 1}}));
-  EXPECT_EQ(fat_box_of(unit_at(0.0625F), kUnit, 4), (Aabb{{-0.25F, 0, 0}, {1, 1, 1}}));
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(0.0625F), {4}), (Aabb{{0.0625F, 0, 0}, {1.3125F, 1, 1}}));
+  EXPECT_EQ(fat_box_of(unit_at(0.0625F), kUnit, {4}), (Aabb{{-0.25F, 0, 0}, {1, 1, 1}}));
 }
 
 TEST(FatBox, EnclosesTheBodyAsLongAsItKeepsItsCourse) {
-  const Aabb fat = fat_box_of(kUnit, unit_at(0.0625F), 4);
+  const Aabb fat = fat_box_of(kUnit, unit_at(0.0625F), {4});
   for (int update = 0; update <= 4; ++update)
     EXPECT_TRUE(encloses(fat, unit_at(0.0625F + 0.0625F * static_cast<float>(update)))) << update;
   EXPECT_FALSE(encloses(fat, unit_at(0.0625F * 6)));
@@ -45,21 +45,38 @@ TEST(FatBox, EnclosesTheBodyAsLongAsItKeepsItsCourse) {
 
 TEST(FatBox, GrowsWithABoxThatGrows) {
   const Aabb larger = {{-0.0625F, 0, 0}, {1.0625F, 1, 1}};
-  const Aabb fat = fat_box_of(kUnit, larger, 2);
+  const Aabb fat = fat_box_of(kUnit, larger, {2});
   EXPECT_EQ(fat, (Aabb{{-0.1875F, 0, 0}, {1.1875F, 1, 1}}));
-  EXPECT_EQ(fat_box_of(larger, kUnit, 2), kUnit) << "and not with one that shrinks";
+  EXPECT_EQ(fat_box_of(larger, kUnit, {2}), kUnit) << "and not with one that shrinks";
 }
 
 TEST(FatBox, GrowsByHalfItsLengthAtMost) {
-  EXPECT_EQ(fat_box_of(kUnit, unit_at(0.5F), 8), (Aabb{{0.5F, 0, 0}, {2, 1, 1}}));
-  EXPECT_EQ(fat_box_of(kUnit, unit_at(-1), 8), (Aabb{{-1.5F, 0, 0}, {0, 1, 1}}));
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(0.5F), {8}), (Aabb{{0.5F, 0, 0}, {2, 1, 1}}));
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(-1), {8}), (Aabb{{-1.5F, 0, 0}, {0, 1, 1}}));
 }
 
 TEST(FatBox, OfABodyThatJumpsFurtherThanItsLengthIsItsBox) {
-  EXPECT_EQ(fat_box_of(kUnit, unit_at(1.5F), 8), unit_at(1.5F));
-  EXPECT_EQ(fat_box_of(kUnit, unit_at(1e30F), 8), unit_at(1e30F));
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(1.5F), {8}), unit_at(1.5F));
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(1e30F), {8}), unit_at(1e30F));
   const Aabb point = {{3, 3, 3}, {3, 3, 3}};
-  EXPECT_EQ(fat_box_of(kUnit, point, 8), point);
+  EXPECT_EQ(fat_box_of(kUnit, point, {8}), point);
+}
+
+TEST(FatBox, OfABodyThatMayTurnReachesAsFarToEitherSide) {
+  const Aabb fat = fat_box_of(kUnit, unit_at(0.0078125F), {.updates = 8, .may_turn = true});
+  EXPECT_EQ(fat, (Aabb{{0.0078125F - 0.0625F, 0, 0}, {1.0078125F + 0.0625F, 1, 1}}));
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(0.25F), {.updates = 8, .may_turn = true}),
+            (Aabb{{0.25F - 0.125F, 0, 0}, {1.75F, 1, 1}}))
+      << "by an eighth of its length at most";
+  EXPECT_EQ(fat_box_of(kUnit, kUnit, {.updates = 8, .may_turn = true}), kUnit);
+}
+
+TEST(FatBox, HasTheMarginOnAllSidesWhateverTheBodyDoes) {
+  const Aabb wide = {{-0.25F, -0.25F, -0.25F}, {1.25F, 1.25F, 1.25F}};
+  EXPECT_EQ(fat_box_of(kUnit, kUnit, {.updates = 8, .margin = 0.25F}), wide);
+  EXPECT_EQ(fat_box_of(unit_at(-50), kUnit, {.updates = 8, .margin = 0.25F}), wide);
+  EXPECT_EQ(fat_box_of(unit_at(-0.125F), kUnit, {.updates = 4, .margin = 0.25F}),
+            (Aabb{{-0.25F, -0.25F, -0.25F}, {1.5F, 1.25F, 1.25F}}));
 }
 
 TEST(FatBox, StaysWithinTheNumbersThereAre) {
@@ -69,9 +86,11 @@ TEST(FatBox, StaysWithinTheNumbersThereAre) {
   const Aabb other_half = {{-FLT_MAX, -FLT_MAX, -FLT_MAX}, {0, 0, 0}};
   for (const Aabb& old : {all, corner, half, other_half, kUnit}) {
     for (const Aabb& now : {all, corner, half, other_half, kUnit}) {
-      const Aabb fat = fat_box_of(old, now, 12);
-      EXPECT_TRUE(encloses(fat, now));
-      EXPECT_TRUE(encloses(all, fat));
+      for (const float margin : {0.0F, 1.0F, 1e30F}) {
+        const Aabb fat = fat_box_of(old, now, {12, true, margin});
+        EXPECT_TRUE(encloses(fat, now));
+        EXPECT_TRUE(encloses(all, fat));
+      }
     }
   }
 }
@@ -84,7 +103,7 @@ TEST(FatBox, EnclosesTheBoxWhateverItWasBefore) {
       for (const Aabb& given : boxes) {
         const Aabb now = contract::next_box(kind, random, old, given);
         for (const float updates : {4.0F, 8.0F, 12.0F}) {
-          const Aabb fat = fat_box_of(old, now, updates);
+          const Aabb fat = fat_box_of(old, now, {updates});
           ASSERT_TRUE(encloses(fat, now)) << kind;
           for (std::size_t axis = 0; axis < 3; ++axis)
             ASSERT_TRUE(std::isfinite(fat.max[axis] / 2 - fat.min[axis] / 2));
