@@ -1,6 +1,7 @@
 #include "engines/stream/cells/cell_tree.h"
 
 #include "base/tuning.h"
+#include "cellsweep/engine/piece_finder.h"
 #include "engines/stream/cells/tree_build.h"
 #include "engines/stream/cells/tree_change.h"
 

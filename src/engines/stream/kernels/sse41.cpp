@@ -1,4 +1,4 @@
-#include <immintrin.h>
+#include <smmintrin.h>
 
 #include "engines/stream/kernels/body.h"
 #include "engines/stream/kernels/eight.h"

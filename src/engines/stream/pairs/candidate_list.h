@@ -8,7 +8,7 @@
 #include "base/crew.h"
 #include "base/memory/array.h"
 #include "base/pair_sort.h"
-#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/slots.h"
 
 namespace cellsweep::stream {
 
