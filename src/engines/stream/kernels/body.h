@@ -59,7 +59,7 @@ struct Hits {
 };
 
 /// So many boxes are compared with a block before the hits are looked at: no branch depends on a comparison.
-constexpr std::uint32_t kStrip = 128;
+inline constexpr std::uint32_t kStrip = 128;
 
 inline void add_pairs(const Hits* hits, std::size_t count, const TaggedBox* boxes, std::uint32_t first,
                       KeyBuffer& found) {
@@ -133,7 +133,7 @@ void changed_pairs(const CellBoxes& old, const CellBoxes& now, Places changed, c
 template <class Lanes>
 constexpr Kernels make_kernels(VectorIsa isa, const char* name) {
   static_assert(Lanes::kCount <= kMaxLanes);
-  return {isa, name, Lanes::kCount, Lanes::eight_blocks, all_pairs<Lanes>, changed_pairs<Lanes>};
+  return {isa, name, Lanes::kCount, Lanes::kEightBlocks, all_pairs<Lanes>, changed_pairs<Lanes>};
 }
 
 }  // namespace
