@@ -7,17 +7,9 @@
 #include <string>
 
 #include "cellsweep/executor.h"
+#include "cellsweep/vector_isa.h"
 
 namespace cellsweep {
-
-/// The instruction set of vector kernels.
-enum class VectorIsa {
-  best,      ///< the widest that the processor has
-  portable,  ///< plain C++, on any processor
-  sse41,     ///< x86: four boxes at a time
-  avx2,      ///< eight
-  avx512     ///< sixteen
-};
 
 /// Engine `stream`: worlds of any size; the one to use. Nothing in it needs tuning.
 struct StreamOptions {

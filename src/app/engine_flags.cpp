@@ -33,14 +33,11 @@ std::vector<std::string_view> engines_with(std::string_view setting) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  return names_text({names.begin(), names.end()});
-}
-
 Status no_such_setting(std::string_view setting, const std::vector<std::string>& chosen) {
-  return Status::bad_option(std::string(setting),
-                            text(flag_of(setting), " is no setting of ", joined(chosen), "; it is one of ",
-                                 names_text(engines_with(setting)), "."));
+  return Status::bad_option(
+      std::string(setting),
+      text(flag_of(setting), " is no setting of ", names_text({chosen.begin(), chosen.end()}),
+           "; it is one of ", names_text(engines_with(setting)), "."));
 }
 
 Status check_cycles(const SettingValues& values) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
+#include <mutex>
 #include <utility>
 
 #include "base/tuning.h"
@@ -30,21 +32,22 @@ void Crew::plan(std::size_t items, double seconds_of_item) {
 // What a task throws must not pass through an executor that is not ours.
 void Crew::run_all(Call call, const void* context) {
   struct Job {
-    Crew* crew;
     Call call;
     const void* context;
-  } job{this, call, context};
+    std::mutex mutex{};
+    std::exception_ptr error{};
+  } job{call, context};
   const auto task = [](void* of, unsigned worker) {
-    const auto& [crew, call_now, with] = *static_cast<Job*>(of);
+    Job& now = *static_cast<Job*>(of);
     try {
-      call_now(with, worker);
+      now.call(now.context, worker);
     } catch (...) {
-      const std::lock_guard lock(crew->error_mutex_);
-      crew->error_ = std::current_exception();
+      const std::lock_guard lock(now.mutex);
+      now.error = std::current_exception();
     }
   };
   executor_->run(active_, task, &job);
-  if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+  if (job.error) std::rethrow_exception(job.error);
 }
 
 // The quickest of a few: one that the system delayed would keep the workers from ever being used.

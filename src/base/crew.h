@@ -4,9 +4,7 @@
 
 #include <atomic>
 #include <cstddef>
-#include <exception>
 #include <memory>
-#include <mutex>
 
 #include "cellsweep/executor.h"
 
@@ -72,8 +70,6 @@ class Crew {
   Choice choice_;
   double missed_ = 0;     // seconds that workers would have saved, had there been any
   double dispatch_ = -1;  // seconds that handing an empty job to all takes, once measured
-  std::mutex error_mutex_;
-  std::exception_ptr error_;
 };
 
 /// The part of 0 ... count - 1 that belongs to one of `workers`, by place.

@@ -8,7 +8,7 @@
 
 #include "base/crew.h"
 #include "base/memory/array.h"
-#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/slots.h"
 #include "cellsweep/pair.h"
 
 namespace cellsweep {

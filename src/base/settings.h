@@ -84,21 +84,28 @@ inline std::string_view describe(SettingKind kind) {
   }
 }
 
+/// The rows' descriptions, for the engine table.
+template <class Options>
+std::vector<SettingInfo> describe_settings(std::span<const SettingRow<Options>> rows) {
+  std::vector<SettingInfo> infos;
+  for (const auto& row : rows) infos.push_back(row.info);
+  return infos;
+}
+
 /// What is wrong with a value, with the choices there are.
-inline Status bad_value(const SettingInfo& info, std::string_view value) {
+[[gnu::cold]] inline Status bad_value(const SettingInfo& info, std::string_view value) {
   std::string wanted(describe(info.kind));
   for (const std::string_view choice : info.choices)
-    wanted += (choice == info.choices.front() ? ": " : ", ") + std::string(choice);
+    wanted += text(choice == info.choices.front() ? ": " : ", ", choice);
   return Status::bad_option(std::string(info.name),
                             text(info.name, " is \"", value, "\"; it must be ", wanted, "."));
 }
 
 /// What an engine says to a setting that it does not have.
-template <class Options>
-Status unknown_setting(std::string_view engine, std::string_view name,
-                       std::span<const SettingRow<Options>> rows) {
+[[gnu::cold]] inline Status unknown_setting(std::string_view engine, std::string_view name,
+                                            std::span<const SettingInfo> infos) {
   std::string known;
-  for (const auto& row : rows) known += (known.empty() ? "" : ", ") + std::string(row.info.name);
+  for (const SettingInfo& info : infos) known += text(known.empty() ? "" : ", ", info.name);
   return Status::bad_option(std::string(name), text("Engine ", engine, " has no setting ", name,
                                                     "; it has: ", known.empty() ? "none" : known, "."));
 }
@@ -115,17 +122,9 @@ Result<Options> read_settings(std::string_view engine, const SettingValues& valu
       if (!row.set(options, value)) return bad_value(row.info, value);
       known = true;
     }
-    if (!known) return unknown_setting(engine, name, rows);
+    if (!known) return unknown_setting(engine, name, describe_settings(rows));
   }
   return options;
-}
-
-/// The rows' descriptions, for the engine table.
-template <class Options>
-std::vector<SettingInfo> describe_settings(std::span<const SettingRow<Options>> rows) {
-  std::vector<SettingInfo> infos;
-  for (const auto& row : rows) infos.push_back(row.info);
-  return infos;
 }
 
 }  // namespace cellsweep

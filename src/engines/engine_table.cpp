@@ -17,7 +17,7 @@ std::vector<EngineInfo>& table() {
 
 Status unknown_engine_status(std::string_view name) {
   std::string known;
-  for (const EngineInfo& info : table()) known += (known.empty() ? "" : ", ") + std::string(info.name);
+  for (const EngineInfo& info : table()) known += text(known.empty() ? "" : ", ", info.name);
   return Status::bad_option("engine", text("There is no engine \"", name, "\"; there are: ", known, "."));
 }
 

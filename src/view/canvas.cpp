@@ -63,7 +63,7 @@ void Canvas::show() const {
 
 report::Image Canvas::read() const {
   smooth();
-  const auto row = static_cast<std::size_t>(3 * width_);
+  const auto row = 3 * static_cast<std::size_t>(width_);
   report::Image image{static_cast<unsigned>(width_), static_cast<unsigned>(height_), {}};
   image.rgb.resize(row * image.height);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, smooth_.framebuffer);

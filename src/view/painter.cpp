@@ -22,6 +22,7 @@ template <class Instance>
 void add_attribute(GLuint number, GLint floats, std::size_t offset) {
   glEnableVertexAttribArray(number);
   glVertexAttribPointer(number, floats, GL_FLOAT, GL_FALSE, sizeof(Instance),
+                        // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset as a pointer.
                         reinterpret_cast<const void*>(offset));
   glVertexAttribDivisor(number, 1);
 }

@@ -103,7 +103,7 @@ void draw_complaint(const Controller& controller) {
 
 // "spus, on SPEs".
 std::string phase_name(const Phase& phase) {
-  const std::string name(phase.name);
+  std::string name(phase.name);
   switch (phase.kind) {
     case PhaseKind::setup:
       return name + ", set-up";

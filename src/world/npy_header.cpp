@@ -14,7 +14,7 @@ using Bytes = std::span<const std::byte>;
 constexpr std::string_view kMagic = "\x93NUMPY";
 constexpr std::size_t kVersionOffset = 6;
 constexpr std::size_t kLengthOffset = 8;
-constexpr std::uint64_t kMostBodies = std::uint64_t{1} << 32;
+constexpr std::uint64_t kIds = std::uint64_t{1} << 32;
 
 Status parse_descr(TextScanner& scanner, NpyHeader& header) {
   scanner.skip_space();
@@ -71,7 +71,7 @@ Status parse_shape(TextScanner& scanner, NpyHeader& header) {
   };
   if (size != 3 || dimensions[2] != 6) return refuse("shape (frames, bodies, 6)");
   if (dimensions[0] == 0) return refuse("at least one frame");
-  if (dimensions[1] > kMostBodies) return refuse("no more bodies than 32-bit ids name, 4294967296");
+  if (dimensions[1] > kIds) return refuse("no more bodies than 32-bit ids name, 4294967296");
   header.frames = dimensions[0];
   header.bodies = dimensions[1];
   return {};

@@ -59,7 +59,7 @@ const SceneRecipe* find_recipe(std::string_view name) {
 /// Exactly round(share · bodies) of the bodies, by the head of a shuffle: those of a smaller share are among
 /// those of a larger one.
 std::vector<bool> choose_movers(std::size_t bodies, double share, Random& random) {
-  const auto wanted = static_cast<std::size_t>(share * static_cast<double>(bodies) + 0.5);
+  const auto wanted = static_cast<std::size_t>(std::llround(share * static_cast<double>(bodies)));
   std::vector<BodyId> deck(bodies);
   for (std::size_t i = 0; i < bodies; ++i) deck[i] = static_cast<BodyId>(i);
   std::vector<bool> moves(bodies, false);

@@ -1,8 +1,9 @@
 #include "cellsweep/world/world.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <string>
 
 namespace cellsweep {
@@ -48,7 +49,8 @@ bool advance(RigidBody& body, const Aabb& bounds) {
   for (int axis = 0; axis < 3; ++axis) body.position[axis] += body.velocity[axis];
   if (is_spinning(body)) turn(body.orientation, body.angular_velocity);
   body.update_box();
-  return std::memcmp(&before, &body.box, sizeof before) != 0;
+  using Bits = std::array<std::uint32_t, 6>;
+  return std::bit_cast<Bits>(before) != std::bit_cast<Bits>(body.box);
 }
 
 }  // namespace

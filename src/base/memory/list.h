@@ -2,7 +2,6 @@
 /// A growing list of a trivial type whose elements nobody initialises before they are written.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <type_traits>
@@ -20,7 +19,8 @@ class List {
   /// Room for so many elements in all; a list that grows a little at a time seldom moves.
   void reserve(std::size_t size) {
     if (size <= capacity_) return;
-    const std::size_t wanted = std::max(size, capacity_ + capacity_ / 2);
+    const std::size_t more = capacity_ + capacity_ / 2;
+    const std::size_t wanted = size > more ? size : more;
     auto* larger = grow_memory(reinterpret_cast<std::byte*>(memory_.get()), wanted * sizeof(T));
     static_cast<void>(memory_.release());
     memory_.reset(reinterpret_cast<T*>(larger));

@@ -1,7 +1,6 @@
 #include "broadphase/bodies/id_table.h"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -151,7 +150,7 @@ void IdTable::release() {
     return;
   }
   // The lowest slots are given out first: they make ids and slots alike where that is possible.
-  std::sort(removed_.begin(), removed_.end(), std::greater<>());
+  std::sort(removed_.rbegin(), removed_.rend());
   free_.insert(free_.end(), removed_.begin(), removed_.end());
   removed_.clear();
 }

@@ -8,7 +8,7 @@
 
 #include "base/memory/array.h"
 #include "broadphase/bodies/sparse_ids.h"
-#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/slots.h"
 #include "cellsweep/pair.h"
 
 namespace cellsweep {

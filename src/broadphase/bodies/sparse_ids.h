@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "base/memory/memory.h"
-#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/slots.h"
 #include "cellsweep/pair.h"
 
 namespace cellsweep {

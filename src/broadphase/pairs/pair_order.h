@@ -11,7 +11,7 @@
 #include "base/pair_sort.h"
 #include "broadphase/bodies/id_table.h"
 #include "broadphase/pairs/id_ranks.h"
-#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/slots.h"
 
 namespace cellsweep {
 

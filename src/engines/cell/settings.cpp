@@ -22,6 +22,7 @@ constexpr std::array<std::pair<std::string_view, DmaMode>, 3> kDmaModes = {
 template <class Value, std::size_t count>
 std::vector<std::string_view> names_of(const std::array<std::pair<std::string_view, Value>, count>& choices) {
   std::vector<std::string_view> names;
+  names.reserve(count);
   for (const auto& choice : choices) names.push_back(choice.first);
   return names;
 }

@@ -55,7 +55,8 @@ Result<Broadphase> make_stream_broadphase(const StreamOptions& options, std::str
                                           FinderMaker make_finder, std::string row_name) {
   if (Status status = check(options); !status.ok()) return status;
   const auto crew = make_crew(options);
-  const auto make = [crew, options, make_finder]() -> Result<std::unique_ptr<Engine>> {
+  const auto make = [crew, options,
+                     make_finder = std::move(make_finder)]() -> Result<std::unique_ptr<Engine>> {
     StreamParts parts{crew, static_cast<std::size_t>(options.max_pairs), find_kernels(options.isa),
                       options.margin};
     if (make_finder) {

@@ -11,6 +11,7 @@
 #include "base/crew.h"
 #include "cellsweep/engine/engine.h"
 #include "cellsweep/engine/phase_timer.h"
+#include "cellsweep/engine/piece_finder.h"
 #include "cellsweep/stream_view.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/cell_tree.h"

@@ -192,6 +192,7 @@ class Experiment {
     PerMeasure<Spread> spreads;
     for (const Measure measure : kAllMeasures) {
       std::vector<double> values;
+      values.reserve(runs.size());
       for (const ExperimentRun& run : runs)
         values.push_back(run.times[static_cast<std::size_t>(part)][measure]);
       spreads[measure] = spread_of(values);

@@ -8,7 +8,7 @@
 namespace cellsweep::report {
 namespace {
 
-std::string quoted(std::string_view words) {
+std::string in_quotes(std::string_view words) {
   std::string result = "'";
   for (const char c : words) result += c == '\'' ? std::string("''") : std::string(1, c);
   return result + "'";
@@ -40,10 +40,10 @@ std::string data_block(const CurveResult& result, std::size_t number, Measure me
 
 // The range of the repetitions thinly, and the line over it.
 std::string plot_entry(const CurveResult& result, std::size_t number) {
-  const std::string color = quoted(result.curve.color);
+  const std::string color = in_quotes(result.curve.color);
   return text("  $curve", number, " using 1:2:3:4 with yerrorbars notitle lc rgb ", color,
               " lw 0.8 pt 0, \\\n", "  $curve", number, " using 1:2 with linespoints title ",
-              quoted(result.curve.label), " lc rgb ", color, " lw 2.4 pt 7 ps 0.7 ",
+              in_quotes(result.curve.label), " lc rgb ", color, " lw 2.4 pt 7 ps 0.7 ",
               dash_of(result.curve.part));
 }
 
@@ -52,14 +52,14 @@ constexpr double kMargin = 1.25;  // beside the first and last size
 std::string size_tics(const std::vector<std::size_t>& sizes) {
   std::string tics;
   for (const std::size_t bodies : sizes) {
-    tics += text(tics.empty() ? "" : ", ", quoted(count_text(bodies)), " ", bodies);
+    tics += text(tics.empty() ? "" : ", ", in_quotes(count_text(bodies)), " ", bodies);
   }
   const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
   return text("set xtics (", tics, ")\nset xrange [", static_cast<double>(*least) / kMargin, ":",
               static_cast<double>(*most) * kMargin, "]\n");
 }
 
-constexpr std::string_view kStyle =
+constexpr std::string_view kLook =
     "set encoding utf8\n"
     "set micro\n"
     "set logscale xy\n"
@@ -82,17 +82,17 @@ std::string figure_script(const Figure& figure, const ExperimentResults& results
     script += data_block(*curves[i], i, figure.measure);
     plot += plot_entry(*curves[i], i) + (i + 1 < curves.size() ? ", \\\n" : "\n");
   }
-  script += kStyle;
+  script += kLook;
   script += size_tics(results.settings.bodies);
-  script += "set title " + quoted(figure.title) + "\n";
+  script += "set title " + in_quotes(figure.title) + "\n";
   script += "set xlabel 'boxes in the world'\n";
-  script += text("set ylabel ", quoted(text(figure.y_label, ", logarithmic")), "\n");
+  script += text("set ylabel ", in_quotes(text(figure.y_label, ", logarithmic")), "\n");
   script += "set terminal svg size 900,480 font 'Helvetica,Arial,sans-serif,14' background '#ffffff'\n";
-  script += text("set output ", quoted(std::string(figure.id) + ".svg"), "\n", plot, "unset output\n");
+  script += text("set output ", in_quotes(std::string(figure.id) + ".svg"), "\n", plot, "unset output\n");
   script +=
       "set terminal pngcairo size 1350,720 font 'sans,14' fontscale 1.15 linewidth 1.4 background "
       "'#ffffff'\n";
-  script += text("set output ", quoted(std::string(figure.id) + ".png"), "\n", plot, "unset output\n");
+  script += text("set output ", in_quotes(std::string(figure.id) + ".png"), "\n", plot, "unset output\n");
   return script;
 }
 

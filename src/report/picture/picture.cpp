@@ -34,7 +34,7 @@ Status check(const PictureSettings& settings) {
 // Bright light is compressed, not cut off; the square root stands for sRGB's curve.
 std::uint8_t byte_of(float light) {
   const float compressed = light * (1 + 0.12F * light) / (1 + 0.22F * light);
-  return static_cast<std::uint8_t>(255 * std::sqrt(std::clamp(compressed, 0.0F, 1.0F)) + 0.5F);
+  return static_cast<std::uint8_t>(std::lround(255 * std::sqrt(std::clamp(compressed, 0.0F, 1.0F))));
 }
 
 class Tracer {

@@ -51,7 +51,8 @@ Stretch cut(const Solid& solid, const Vector3f& from, const Vector3f& along) {
 float entry_distance(const Solid& solid, const Vector3f& origin, const Vector3f& direction) {
   const auto [from, along] = local_ray(solid, origin, direction);
   const Stretch stretch = cut(solid, from, along);
-  return stretch.in > 0 && stretch.in <= stretch.out ? stretch.in : kNowhere;
+  if (stretch.in > 0 && stretch.in <= stretch.out) return stretch.in;
+  return kNowhere;
 }
 
 Hit describe_hit(const Solid& solid, std::uint32_t number, const Ray& ray) {

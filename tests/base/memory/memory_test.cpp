@@ -36,7 +36,7 @@ TEST(Memory, BlocksOfEverySizeAreAlignedAndMayBeWrittenToTheirEnds) {
        {std::size_t{0}, std::size_t{1}, std::size_t{63}, std::size_t{64}, std::size_t{65}, std::size_t{4097},
         kHugePage - 1, kHugePage, kHugePage + 1, 20 * kHugePage + 5}) {
     const Memory<std::byte> memory(take_memory(size));
-    ASSERT_NE(memory, nullptr);
+    ASSERT_NE(memory.get(), nullptr);
     EXPECT_EQ(address(memory.get()) % 64, 0U) << size;
     EXPECT_TRUE(size < kHugePage || address(memory.get()) % kHugePage == 0) << size;
     std::memset(memory.get(), 0xa5, size);

@@ -82,6 +82,7 @@ Result<std::vector<BodyPose>> checked_poses(std::span<const BodyId> ids, std::sp
   }
   if (bad.empty()) return checked;
   std::vector<BodyId> bodies;
+  bodies.reserve(bad.size());
   for (const std::size_t place : bad) bodies.push_back(ids[place]);
   return Status::bad_bodies(
       StatusCode::invalid_box,

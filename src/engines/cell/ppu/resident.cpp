@@ -30,11 +30,11 @@ std::vector<LocalStorePart> resident_buffers(const CellResidentOptions& options,
                                        {"changed boxes", changes * 32},
                                        {"changed boxes before", changes * 32},
                                        {"order of changed boxes", changes * 8},
-                                       {"events", 2 * kResidentEventChunk * 4},
-                                       {"gaps for alignment", 8 * kDmaAlign}};
+                                       {"events", sizeof(std::uint32_t) * 2 * kResidentEventChunk},
+                                       {"gaps for alignment", std::uint64_t{8} * kDmaAlign}};
   if (!options.spu_boxes) return parts;
-  parts.push_back({"poses", 2 * kPosePiece * sizeof(PoseBlock) + kDmaAlign});
-  parts.push_back({"intervals of poses", 2 * kPosePiece * sizeof(IntervalBlock) + kDmaAlign});
+  parts.push_back({"poses", sizeof(PoseBlock) * 2 * kPosePiece + kDmaAlign});
+  parts.push_back({"intervals of poses", sizeof(IntervalBlock) * 2 * kPosePiece + kDmaAlign});
   return parts;
 }
 

@@ -33,7 +33,7 @@ Status lost_status(unsigned index, Status why) {
 
 std::uint32_t resident_changes(std::uint64_t bodies) {
   std::uint32_t changes = kFewestChanges;
-  while (changes < kMostChanges && 2 * changes <= bodies) changes *= 2;
+  while (changes < kMostChanges && changes <= bodies / 2) changes *= 2;
   return changes;
 }
 

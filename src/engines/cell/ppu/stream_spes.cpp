@@ -18,7 +18,7 @@ constexpr std::uint32_t kRoom = 16 * kStreamPairs;
 constexpr std::uint64_t kBlockBytes = std::uint64_t{4} * kStreamWords * kStreamBlock;
 
 static_assert(kTagBits == kSlotBits);
-static_assert(sizeof(stream::TaggedBox) == 4 * kStreamWords);
+static_assert(sizeof(stream::TaggedBox) == sizeof(float) * kStreamWords);
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/tuning.h"
-#include "cellsweep/pair.h"
+#include "cellsweep/engine/engine.h"
 #include "engines/stream/bodies/fat_box.h"
 #include "geometry/box_lanes.h"
 

@@ -10,7 +10,12 @@
 #include "base/memory/array.h"
 #include "base/memory/list.h"
 #include "base/memory/memory.h"
-#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/slots.h"
+
+namespace cellsweep {
+struct BodyChanges;
+struct ChangedBody;
+}  // namespace cellsweep
 
 namespace cellsweep::stream {
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/tuning.h"
+#include "cellsweep/engine/piece_finder.h"
 #include "engines/stream/cells/tree_build.h"
 #include "engines/stream/cells/tree_change.h"
 #include "engines/stream/cells/tree_query.h"

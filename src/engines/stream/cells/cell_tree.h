@@ -14,7 +14,6 @@
 #include "base/memory/memory.h"
 #include "base/pair_sort.h"
 #include "cellsweep/aabb.h"
-#include "cellsweep/engine/piece_finder.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/grid.h"
 #include "engines/stream/cells/keys.h"
@@ -23,6 +22,7 @@
 namespace cellsweep::stream {
 
 struct Node;
+class PieceFinder;
 
 /// Either boxes or, when they were too many, another grid.
 struct Cell {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/slots.h"
 #include "engines/stream/kernels/kernel.h"
 #include "geometry/box_lanes.h"
 

@@ -2,7 +2,6 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
-#include <functional>
 
 #include "base/tuning.h"
 #include "engines/stream/cells/box_sample.h"
@@ -23,7 +22,7 @@ struct Plan {
 
 /// The width of cells, in extents of a box, that gives so many cells; of axes that are longer than that.
 double cell_width(std::array<double, 3> lengths, double cells) {
-  std::sort(lengths.begin(), lengths.end(), std::greater<>());
+  std::sort(lengths.rbegin(), lengths.rend());
   const double three = std::cbrt(lengths[0] * lengths[1] * lengths[2] / cells);
   if (lengths[2] > 0 && lengths[2] >= three) return three;
   const double two = std::sqrt(lengths[0] * lengths[1] / cells);

@@ -10,7 +10,7 @@ namespace {
 /// Eight boxes at a time.
 struct Avx2Lanes {
   static constexpr unsigned kCount = 8;
-  static constexpr auto eight_blocks = eight_blocks_at_once;
+  static constexpr auto kEightBlocks = eight_blocks_at_once;
   using Vector = __m256;
   using Mask = __m256;
 

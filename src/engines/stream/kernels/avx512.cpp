@@ -10,7 +10,7 @@ namespace {
 /// Sixteen boxes at a time.
 struct Avx512Lanes {
   static constexpr unsigned kCount = 16;
-  static constexpr auto eight_blocks = eight_blocks_at_once;
+  static constexpr auto kEightBlocks = eight_blocks_at_once;
   using Vector = __m512;
   using Mask = __mmask16;
 

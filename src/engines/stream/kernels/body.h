@@ -59,7 +59,7 @@ struct Hits {
 };
 
 /// So many boxes are compared with a block before the hits are looked at: no branch depends on a comparison.
-constexpr std::uint32_t kStrip = 128;
+inline constexpr std::uint32_t kStrip = 128;
 
 inline void add_pairs(const Hits* hits, std::size_t count, const TaggedBox* boxes, std::uint32_t first,
                       KeyBuffer& found) {
@@ -148,7 +148,7 @@ template <class Lanes>
 constexpr Kernels make_kernels(VectorIsa isa, const char* name) {
   static_assert(Lanes::kCount <= kMaxLanes);
   return {
-      isa, name, Lanes::kCount, Lanes::eight_blocks, all_pairs<Lanes>, changed_pairs<Lanes>, partners<Lanes>};
+      isa, name, Lanes::kCount, Lanes::kEightBlocks, all_pairs<Lanes>, changed_pairs<Lanes>, partners<Lanes>};
 }
 
 }  // namespace

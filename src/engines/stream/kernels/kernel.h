@@ -8,7 +8,7 @@
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/engine/cell_boxes.h"
-#include "cellsweep/options.h"
+#include "cellsweep/vector_isa.h"
 
 namespace cellsweep::stream {
 

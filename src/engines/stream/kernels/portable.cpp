@@ -8,7 +8,7 @@ namespace {
 /// Four boxes at a time in plain C++.
 struct PortableLanes {
   static constexpr unsigned kCount = 4;
-  static constexpr auto eight_blocks = eight_blocks_in_turn;
+  static constexpr auto kEightBlocks = eight_blocks_in_turn;
   struct Vector {
     float lane[kCount];
   };

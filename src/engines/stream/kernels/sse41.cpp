@@ -1,4 +1,4 @@
-#include <immintrin.h>
+#include <smmintrin.h>
 
 #include "engines/stream/kernels/body.h"
 #include "engines/stream/kernels/eight.h"
@@ -10,7 +10,7 @@ namespace {
 /// Four boxes at a time.
 struct Sse41Lanes {
   static constexpr unsigned kCount = 4;
-  static constexpr auto eight_blocks = eight_blocks_in_turn;
+  static constexpr auto kEightBlocks = eight_blocks_in_turn;
   using Vector = __m128;
   using Mask = __m128;
 

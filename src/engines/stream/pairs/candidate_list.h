@@ -10,7 +10,7 @@
 #include "base/memory/list.h"
 #include "base/pair_changes.h"
 #include "base/pair_sort.h"
-#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/slots.h"
 
 namespace cellsweep::stream {
 

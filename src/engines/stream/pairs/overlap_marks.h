@@ -7,7 +7,7 @@
 
 #include "base/crew.h"
 #include "base/memory/array.h"
-#include "cellsweep/engine/engine.h"
+#include "cellsweep/engine/slots.h"
 #include "engines/stream/pairs/candidate_list.h"
 
 namespace cellsweep::stream {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/thread_pool.h"
+#include "cellsweep/engine/engine.h"
 #include "engines/stream/worlds.h"
 
 namespace cellsweep::stream {
