@@ -14,7 +14,8 @@ namespace cellsweep {
 /// Engine `stream`: worlds of any size; the one to use. Nothing in it needs tuning.
 struct StreamOptions {
   /// Threads, the caller's included. 0: as many as the machine has, 16 at most, where they pay. N: that many,
-  /// as soon as each has 16 bodies to do. With an `executor`: at most so many of its tasks at a time.
+  /// as soon as each has 16 bodies to do; worlds of some 2,000 bodies are swept by the caller's alone. With
+  /// an `executor`: at most so many of its tasks at a time.
   unsigned threads = 0;
 
   /// The caller's job system; null: threads of the library's own, started when they first pay. Shared with

@@ -54,7 +54,7 @@ inline constexpr float kMostGrowth = 0.5F;
 /// And to either side when it trembles; what moves further at a time is on its way.
 inline constexpr float kMostTremble = 0.125F;
 /// A body that leaves its fat box after no more updates than this has turned back.
-inline constexpr std::uint8_t kEarly = 3;
+inline constexpr unsigned kEarly = 3;
 
 // --- cells
 // ----------------------------------------------------------------------------------------------------
@@ -78,6 +78,19 @@ inline constexpr std::uint32_t kLargestCell = 160;
 inline constexpr unsigned kDeepest = 24;
 /// More memory than this for each box is given back, in bytes.
 inline constexpr std::size_t kBytesOfBox = 512;
+
+// --- the sweep of small worlds
+// ------------------------------------------------------------------------------------------------
+
+/// So many slots and fewer are swept. EPYC, AVX-512, all scenes.
+inline constexpr std::size_t kMostSwept = 2048;
+/// Cells take less than more vectors of bytes than this a body.
+inline constexpr std::uint32_t kVectorsOfSwept = 8;
+/// And than so many tests of boxes a body that find nothing.
+inline constexpr std::uint32_t kTestsOfSwept = 8;
+
+/// So many updates in a row that look at a few bodies are made without cells.
+inline constexpr unsigned kPartialsWithoutCells = 2;
 
 // --- candidates
 // -----------------------------------------------------------------------------------------------

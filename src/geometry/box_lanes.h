@@ -42,6 +42,15 @@ inline bool on_all_axes(Int4 mask) {
 #endif
 }
 
+/// True when a comparison holds on one of them.
+inline bool on_any_axis(Int4 mask) {
+#ifdef __SSE2__
+  return (_mm_movemask_ps(reinterpret_cast<__m128>(mask)) & 7) != 0;
+#else
+  return (mask[0] | mask[1] | mask[2]) != 0;
+#endif
+}
+
 inline bool overlap(const BoxLanes& one, const BoxLanes& other) {
   return on_all_axes((one.min <= other.max) & (other.min <= one.max));
 }

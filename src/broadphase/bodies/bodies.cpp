@@ -105,8 +105,8 @@ MovedBodies Bodies::checked_moves(const Crew& crew, std::span<const Aabb> boxes)
   for (unsigned worker = 0; worker < crew.active(); ++worker) {
     const MoveCheck& check = checks_[worker];
     bodies.clean = bodies.clean && check.clean();
-    bodies.ascends = bodies.ascends && check.ascends() &&
-                     (worker == 0 || checks_[worker - 1].last() < check.first());
+    bodies.ascends =
+        bodies.ascends && check.ascends() && (worker == 0 || checks_[worker - 1].last() < check.first());
   }
   return bodies;
 }

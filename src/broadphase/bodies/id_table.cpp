@@ -10,6 +10,13 @@ namespace {
 /// A direct table may have this many entries for each body.
 constexpr std::size_t kDirectEntries = 4;
 constexpr std::size_t kSmallTable = 1024;
+/// Whether each id is one more than the one before.
+bool are_consecutive(std::span<const BodyId> ids) {
+  BodyId differs = 0;
+  for (std::size_t i = 0; i < ids.size(); ++i) differs |= ids[i] ^ (ids[0] + static_cast<BodyId>(i));
+  return differs == 0 && (ids.empty() || ids.front() <= ids.back());
+}
+
 /// Entries of the sparse table are asked for so many ids ahead.
 constexpr std::size_t kAhead = 16;
 
@@ -92,8 +99,12 @@ void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
   const auto first = static_cast<Slot>(ids_.size());
   bool identical = identical_;
   bool ascending = ascending_ && (first == 0 || ids.empty() || ids_.back() < ids[0]);
-  for (std::size_t i = 0; i < ids.size(); ++i) identical &= ids[i] == first + i;
-  for (std::size_t i = 1; i < ids.size(); ++i) ascending &= ids[i - 1] < ids[i];
+  if (are_consecutive(ids)) {
+    identical = identical && (ids.empty() || ids[0] == first);
+  } else {
+    for (std::size_t i = 0; i < ids.size(); ++i) identical &= ids[i] == first + i;
+    for (std::size_t i = 1; i < ids.size(); ++i) ascending &= ids[i - 1] < ids[i];
+  }
   identical_ = identical;
   ascending_ = ascending;
   ids_.insert(ids_.end(), ids.begin(), ids.end());
@@ -105,12 +116,24 @@ void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
 
 // Maps all ids to the slots that they will get, or none.
 bool IdTable::map_all(std::span<const BodyId> ids) {
+  if (map_run(ids)) return true;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (sparse_.size() > 0 && i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
     if (map(ids[i], next_slot(i))) continue;
     for (const BodyId id : ids.first(i)) unmap(id);
     return false;
   }
+  return true;
+}
+
+// Consecutive ids that find their entries of the direct table free. False, and nothing has changed, for
+// others.
+bool IdTable::map_run(std::span<const BodyId> ids) {
+  if (ids.empty() || !free_.empty() || sparse_.size() > 0 || !are_consecutive(ids)) return false;
+  if (ids.back() >= direct_.size()) return false;
+  const auto entries = std::span(direct_).subspan(ids.front(), ids.size());
+  if (!std::ranges::all_of(entries, [](Slot slot) { return slot == kNoSlot; })) return false;
+  std::iota(entries.begin(), entries.end(), next_slot(0));
   return true;
 }
 

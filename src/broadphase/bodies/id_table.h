@@ -79,6 +79,7 @@ class IdTable {
   bool map(BodyId id, Slot slot);
   void unmap(BodyId id);
   bool map_all(std::span<const BodyId> ids);
+  bool map_run(std::span<const BodyId> ids);
   void append(std::span<const BodyId> ids, Vector<Slot>& slots);
   // The slot that is given out when so many have been given out before.
   Slot next_slot(std::size_t before) const {

@@ -13,8 +13,9 @@ namespace {
 constexpr std::size_t kBlock = 32;
 
 bool are_held(const HeldBodies& held, Slot first, std::size_t count) {
-  return held.table.is_full() || std::none_of(held.boxes.states() + first, held.boxes.states() + first + count,
-                                              [](BodyState state) { return state == kGone; });
+  return held.table.is_full() ||
+         std::none_of(held.boxes.states() + first, held.boxes.states() + first + count,
+                      [](BodyState state) { return state == kGone; });
 }
 
 /// Whether these are the bodies' slots.
@@ -24,8 +25,8 @@ bool are_right(const HeldBodies& held, std::span<const BodyId> ids, const Slot* 
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (slots[i] >= count || known[slots[i]] != ids[i]) return false;
   }
-  return held.table.is_full() ||
-         std::none_of(slots, slots + ids.size(), [&](Slot slot) { return held.boxes.states()[slot] == kGone; });
+  return held.table.is_full() || std::none_of(slots, slots + ids.size(),
+                                              [&](Slot slot) { return held.boxes.states()[slot] == kGone; });
 }
 
 }  // namespace

@@ -110,7 +110,8 @@ Slot* StagedBoxes::move_block(const MovedBodies& block, Slot* moved) {
   if (block.clean) {
     for (std::size_t i = 0; i < count; ++i) moved = move_one(block.slots[i], block.boxes[i], moved);
   } else {
-    for (std::size_t i = 0; i < count; ++i) moved = move_one(block.slots[i], canonical(block.boxes[i]), moved);
+    for (std::size_t i = 0; i < count; ++i)
+      moved = move_one(block.slots[i], canonical(block.boxes[i]), moved);
   }
   return moved;
 }

@@ -117,12 +117,20 @@ FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& time
     candidates_are_pairs_ = false;
     marks_are_stale_ = true;
   }
-  if (kind != kFull && are_few(changes)) return find_of_few(changes, timer);
+  if (kind != kFull && have_cells_ && are_few(changes)) return find_of_few(changes, timer);
   if (kind == kInPlace) return test_candidates(changes, {}, timer);
   const Clock::time_point start = Clock::now();
-  if (kind == kPartial && change_cells()) return find_changed(changes, start, timer);
+  const bool with_cells = wants_cells(kind);
+  if (kind == kPartial && have_cells_ && change_cells()) return find_changed(changes, start, timer);
   kind = kFull;
-  return find_all(changes, start, timer);
+  return find_all(changes, with_cells, start, timer);
+}
+
+// A small world is swept as long as most bodies get new fat boxes at a time. Where several updates one after
+// the other could have looked at few, cells are worth making.
+bool Stream::wants_cells(Kind kind) {
+  without_cells_ = kind == kPartial && !have_cells_ ? without_cells_ + 1 : 0;
+  return without_cells_ > tuning::kPartialsWithoutCells;
 }
 
 // Too many candidates among the few that changed are no reason to refuse: all of them may have become too
@@ -153,7 +161,10 @@ FoundPairs Stream::find_changed(const BodyChanges& changes, Clock::time_point st
 FoundPairs Stream::find_none(const BodyChanges& changes) {
   list_pairs_before(changes);
   fat_boxes_ = FatBoxes(parts_.margin);
-  cells_.build({nullptr, 0});
+  cells_.clear();
+  have_cells_ = false;
+  sweep_ = {};
+  swept_ = {};
   candidates_ = {};
   marks_ = {};
   now_ = {};
@@ -166,14 +177,16 @@ FoundPairs Stream::find_none(const BodyChanges& changes) {
   return {.ended = std::as_const(before_).view()};
 }
 
-FoundPairs Stream::find_all(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer) {
+FoundPairs Stream::find_all(const BodyChanges& changes, bool with_cells, Clock::time_point start,
+                            PhaseTimer& timer) {
   list_pairs_before(changes);
   crew_.plan(bodies_, full_cost_.seconds);
-  build_cells(changes);
+  find_candidates(changes, with_cells);
   built_copies_ = cells_.copies();
   changed_ += bodies_;
   timer.lap("cells");
-  candidates_.replace(cells_.found());
+  const KeyParts found = have_cells_ ? cells_.found() : KeyParts{&swept_view_, 1};
+  candidates_.replace(found);
   candidates_are_pairs_ = !fat_boxes_.have_slack();
   // The first pairs of all need not be in order here.
   const bool in_order = !candidates_are_pairs_ || pairs_ > 0;
@@ -182,7 +195,7 @@ FoundPairs Stream::find_all(const BodyChanges& changes, Clock::time_point start,
     timer.lap("sort");
   }
   full_cost_.learn(seconds_since(start) * crew_.active() / static_cast<double>(bodies_));
-  if (!in_order) return {.more_began = cells_.found()};
+  if (!in_order) return {.more_began = found};
   return candidates_are_pairs_ ? compare_with_before(candidates_.pairs(crew_)) : test_all(changes, timer);
 }
 
@@ -251,19 +264,33 @@ std::size_t Stream::generous_limit() const {
 }
 
 // Fat boxes that overlap are no reason to refuse, but when there are very many, boxes are put in their place.
-void Stream::build_cells(const BodyChanges& changes) {
-  const std::size_t slots = changes.boxes.size();
+void Stream::find_candidates(const BodyChanges& changes, bool with_cells) {
   if (fat_boxes_.have_slack()) {
-    cells_.limit_pairs(generous_limit());
     try {
-      return cells_.build({fat_boxes_.data(changes.boxes), slots});
+      return find_among({fat_boxes_.data(changes.boxes), changes.boxes.size()}, generous_limit(), with_cells);
     } catch (const TooManyPairs&) {
       fat_boxes_.drop_slack();
     }
   }
-  cells_.limit_pairs(parts_.max_pairs);
-  cells_.build({changes.boxes.data(), slots});
+  find_among(changes.boxes, parts_.max_pairs, with_cells);
   cells_.limit_pairs(generous_limit());
+}
+
+void Stream::find_among(std::span<const Aabb> boxes, std::size_t most, bool with_cells) {
+  have_cells_ = with_cells || !sweep(boxes, most);
+  if (!have_cells_) return cells_.clear();
+  cells_.limit_pairs(most);
+  cells_.build({boxes.data(), boxes.size()});
+}
+
+// False when the world is not a small one, or cells take less.
+bool Stream::sweep(std::span<const Aabb> boxes, std::size_t most) {
+  if (parts_.finder || parts_.kernels->sweep == nullptr || boxes.size() > tuning::kMostSwept) return false;
+  swept_.clear();
+  swept_.buffer().most = most;
+  if (!sweep_.find(*parts_.kernels, boxes, swept_)) return false;
+  swept_view_ = swept_.view();
+  return true;
 }
 
 FoundPairs Stream::test_candidates(const BodyChanges& changes, const SlotPairChanges& of_candidates,
@@ -307,7 +334,8 @@ void Stream::plan_ahead() {
 
 void Stream::refresh_counters(Statistics& statistics) {
   bytes_ = fat_boxes_.bytes() + cells_.bytes() + candidates_.bytes() + marks_.bytes() + before_.bytes() +
-           now_.bytes() + began_.bytes() + ended_.bytes() + fresh_.capacity() + few_.bytes();
+           now_.bytes() + began_.bytes() + ended_.bytes() + fresh_.capacity() + few_.bytes() +
+           sweep_.bytes() + swept_.bytes();
   statistics.bytes += bytes_;
   statistics.counters.assign({{"full updates", updates_[kFull]},
                               {"partial updates", updates_[kPartial]},
@@ -317,7 +345,7 @@ void Stream::refresh_counters(Statistics& statistics) {
                               {"candidates", candidates_.size()},
                               {"pieces", cells_.pieces()},
                               {"boxes in cells", cells_.copies()},
-                              {"boxes compared", cells_.tests() + tested_},
+                              {"boxes compared", cells_.tests() + sweep_.tests() + tested_},
                               {"workers", crew_.active()},
                               {"vector lanes", parts_.kernels->lanes}});
   if (parts_.finder) parts_.finder->add_counters(statistics.counters);

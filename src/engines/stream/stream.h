@@ -18,6 +18,7 @@
 #include "engines/stream/pairs/candidate_list.h"
 #include "engines/stream/pairs/overlap_marks.h"
 #include "engines/stream/pairs/pairs_of_few.h"
+#include "engines/stream/sweep/sweep.h"
 
 namespace cellsweep::stream {
 
@@ -57,9 +58,11 @@ class Stream final : public Engine, public HasFinder {
   Kind take(const BodyChanges& changes);
   FoundPairs find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
   FoundPairs find_none(const BodyChanges& changes);
-  FoundPairs find_all(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer);
+  FoundPairs find_all(const BodyChanges& changes, bool with_cells, Clock::time_point start,
+                      PhaseTimer& timer);
   FoundPairs find_changed(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer);
   bool change_cells();
+  bool wants_cells(Kind kind);
   FoundPairs test_all(const BodyChanges& changes, PhaseTimer& timer);
   FoundPairs test_candidates(const BodyChanges& changes, const SlotPairChanges& of_candidates,
                              PhaseTimer& timer);
@@ -69,7 +72,9 @@ class Stream final : public Engine, public HasFinder {
   void repair_marks(const BodyChanges& changes);
   void list_pairs_before(const BodyChanges& changes);
   FoundPairs compare_with_before(std::span<const SlotPair> now);
-  void build_cells(const BodyChanges& changes);
+  void find_candidates(const BodyChanges& changes, bool with_cells);
+  void find_among(std::span<const Aabb> boxes, std::size_t most, bool with_cells);
+  bool sweep(std::span<const Aabb> boxes, std::size_t most);
   FoundPairs counted(const FoundPairs& found);
   void mark_fresh(const BodyChanges& changes, std::uint8_t mark);
   std::size_t generous_limit() const;
@@ -81,6 +86,11 @@ class Stream final : public Engine, public HasFinder {
   Crew& crew_;
   FatBoxes fat_boxes_;
   CellTree cells_;
+  bool have_cells_ = false;     // when not, there are few bodies, and they are swept
+  unsigned without_cells_ = 0;  // updates since the last full one that would have been partial ones
+  Sweep sweep_;
+  Keys swept_;
+  std::span<const std::uint64_t> swept_view_;
   CandidateList candidates_;  // pairs of overlapping fat boxes
   OverlapMarks marks_;        // which of them are pairs, from when on not all are
   bool candidates_are_pairs_ = true;

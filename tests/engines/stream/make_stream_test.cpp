@@ -96,7 +96,7 @@ TEST(MakeStream, RefusesATraceFileThatCannotBeWritten) {
 }
 
 TEST(MakeStream, RunsTasksOnTheExecutorThatItIsGiven) {
-  const std::vector<Aabb> boxes = uniform_boxes(500, 1);
+  const std::vector<Aabb> boxes = uniform_boxes(2500, 1);
   const std::vector<Pair> truth = brute_force_pairs(boxes);
   struct Case {
     unsigned threads;

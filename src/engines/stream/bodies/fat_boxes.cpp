@@ -9,12 +9,6 @@
 #include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {
-namespace {
-
-constexpr std::uint8_t kLongAgo = 128;
-
-}  // namespace
-
 FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::size_t most_listed) {
   changes_.clear();
   ++updates_;
@@ -22,8 +16,8 @@ FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::siz
   if (slack_) {
     make_room(fat_, changes.boxes.size());
     fat_.resize(changes.boxes.size(), kNobody);
-    make_room(made_, changes.boxes.size());
-    made_.resize(changes.boxes.size(), kLongAgo);
+    make_room(courses_, changes.boxes.size());
+    courses_.resize(changes.boxes.size(), course_of_long_ago());
   }
   const std::size_t changed = find_escapes(crew, changes) + changes.removed.size() + changes.inserted.size();
   if (changed > most_listed) {
@@ -44,7 +38,7 @@ void FatBoxes::make_slack(const BodyChanges& changes) {
 
 void FatBoxes::drop_slack() {
   fat_ = Vector<Aabb>();
-  made_ = Vector<std::uint8_t>();
+  courses_ = Vector<Course>();
   slack_ = false;
 }
 
@@ -68,6 +62,8 @@ std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
   return sum;
 }
 
+// A body that trembles inside of its fat box keeps that: a next one, made by a step that happened to be
+// short, would not last.
 void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
   if (!slack_) return;
   for (const Slot slot : changes.removed) fat_[slot] = kNobody;
@@ -76,8 +72,9 @@ void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
     const Share share = Share::of(changes.moved.size(), worker, crew.active());
     for (std::size_t i = share.first; i < share.last; ++i) {
       const Slot slot = changes.moved[i];
-      fat_[slot] =
-          grown(slot, changes.before[slot], changes.boxes[slot], escapes_.data()[i] != 0, tuning::kAllAhead);
+      const bool escaped = escapes_.data()[i] != 0;
+      if (!escaped && courses_[slot].trembles) continue;
+      fat_[slot] = grown(slot, changes.before[slot], changes.boxes[slot], escaped, tuning::kAllAhead);
     }
   });
 }
@@ -110,12 +107,18 @@ void FatBoxes::list_moved(Slot slot, const Aabb& before, const Aabb& now) {
   fat = next;
 }
 
-// A fat box that did not last though the body was slow was made for another course.
+FatBoxes::Course FatBoxes::course_of_long_ago() const {
+  return {.made = static_cast<std::uint8_t>((updates_ + kCourseUpdates / 2) % kCourseUpdates)};
+}
+
+// A fat box that did not last though the body was slow was made for another course: the body trembles, until
+// one lasts.
 Aabb FatBoxes::grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates) {
-  const auto update = static_cast<std::uint8_t>(updates_);
-  const auto age = static_cast<std::uint8_t>(update - std::exchange(made_[slot], update));
-  const bool turned = escaped && age <= tuning::kEarly && is_short_step(before, now);
-  return fat_box_of(before, now, {updates, turned, margin_});
+  Course& course = courses_[slot];
+  const unsigned age = (updates_ - course.made) % kCourseUpdates;
+  if (escaped) course.trembles = age <= tuning::kEarly && is_short_step(before, now);
+  course.made = updates_ % kCourseUpdates;
+  return fat_box_of(before, now, {updates, course.trembles, margin_});
 }
 
 void FatBoxes::list_inserted(Slot slot, const Aabb& now) {
@@ -124,7 +127,8 @@ void FatBoxes::list_inserted(Slot slot, const Aabb& now) {
 }
 
 std::size_t FatBoxes::bytes() const {
-  return fat_.capacity() * sizeof(Aabb) + made_.capacity() + escapes_.bytes() + changes_.bytes();
+  return fat_.capacity() * sizeof(Aabb) + courses_.capacity() * sizeof(Course) + escapes_.bytes() +
+         changes_.bytes();
 }
 
 }  // namespace cellsweep::stream

@@ -63,6 +63,15 @@ class FatBoxes {
   std::size_t bytes() const;
 
  private:
+  static constexpr unsigned kCourseUpdates = 128;
+
+  /// What is remembered of a body's way.
+  struct Course {
+    std::uint8_t made : 7 = 0;  // the update that made the fat box, modulo kCourseUpdates
+    bool trembles : 1 = false;
+  };
+
+  Course course_of_long_ago() const;
   void make_slack(const BodyChanges& changes);
   Aabb grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
@@ -73,7 +82,7 @@ class FatBoxes {
   void list_inserted(Slot slot, const Aabb& now);
 
   Vector<Aabb> fat_;             // by slot; none while all are the boxes themselves
-  Vector<std::uint8_t> made_;    // by slot: the last digits of the update that made the fat box
+  Vector<Course> courses_;       // by slot, as long as fat_
   Array<std::uint8_t> escapes_;  // by place in the list of moved bodies: it left its fat box
   List<FatBoxChange> changes_;
   float margin_;

@@ -52,9 +52,9 @@ Edges clipped(Edges edges, const std::array<AxisRange, 3>& axes) {
   return edges;
 }
 
-/// The edges from which on a box is large; lane 3 is never reached.
+/// The edges beyond which a box is large.
 Float4 large_edges(const Drawn& drawn) {
-  Float4 limits = {FLT_MAX, FLT_MAX, FLT_MAX, FLT_MAX};
+  Float4 limits{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::array<float, kSample> edges = drawn.edges[axis];
     const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(drawn.count / 2);
@@ -64,18 +64,13 @@ Float4 large_edges(const Drawn& drawn) {
   return limits;
 }
 
-bool is_large(const BoxLanes& box, Float4 limits) {
-  const Int4 longer = (box.max - box.min) > limits;
-  return (longer[0] | longer[1] | longer[2]) != 0;
-}
-
 /// How many are large, and the sums of their extents.
 std::size_t add_large(const Boxes& boxes, Float4 limits, const std::array<AxisRange, 3>& axes,
                       Extents& sums) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < boxes.count(); ++i) {
     const BoxLanes box(boxes[i]);
-    if (!is_large(box, limits)) continue;
+    if (!on_any_axis((box.max - box.min) > limits)) continue;
     Edges edges;
     for (std::size_t axis = 0; axis < 3; ++axis) edges[axis] = double{box.max[axis]} - double{box.min[axis]};
     sums.add(clipped(edges, axes));

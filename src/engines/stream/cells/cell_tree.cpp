@@ -22,14 +22,23 @@ void CellTree::limit_pairs(std::size_t most) {
   for (const auto& scratch : scratches_) scratch->found.buffer().most = scratch->began.buffer().most = most;
 }
 
-void CellTree::build(const Boxes& boxes) {
+void CellTree::clear() {
+  reset(0);
+  root_ = {};
+}
+
+void CellTree::reset(std::size_t boxes) {
   for (const auto& scratch : scratches_) {
-    scratch->cells.reset(tuning::kBytesOfBox * boxes.count());
-    scratch->job.reset(tuning::kBytesOfBox * boxes.count());
+    scratch->cells.reset(tuning::kBytesOfBox * boxes);
+    scratch->job.reset(tuning::kBytesOfBox * boxes);
     for (Keys* keys : {&scratch->found, &scratch->began, &scratch->ended}) keys->clear();
     scratch->collected.clear();
     scratch->copies = 0;
   }
+}
+
+void CellTree::build(const Boxes& boxes) {
+  reset(boxes.count());
   const bool collects = finder_ != nullptr;
   TreeBuilder(crew_, kernels_, scratches_, collects).build(boxes, root_);
   for (std::size_t worker = 0; worker < scratches_.size(); ++worker) {

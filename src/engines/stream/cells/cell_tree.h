@@ -57,6 +57,9 @@ class CellTree {
   /// `finder` finds the pairs of build(); null for the kernels to do so.
   CellTree(Crew& crew, const Kernels& kernels, PieceFinder* finder = nullptr);
 
+  /// No cells, no pairs, no memory.
+  void clear();
+
   /// From now on build() and change() may throw TooManyPairs when they find more than this.
   void limit_pairs(std::size_t most);
 
@@ -90,6 +93,7 @@ class CellTree {
   std::size_t bytes() const;
 
  private:
+  void reset(std::size_t boxes);
   void clear_changes();
   void show_changes();
 

@@ -30,8 +30,21 @@ struct Avx512Lanes {
   static std::uint32_t bits(Mask mask) { return mask; }
 };
 
+/// Sixty-four bytes at a time.
+struct Avx512Bytes {
+  static constexpr unsigned kCount = 64;
+  using Vector = __m512i;
+  using Mask = __mmask64;
+
+  static Vector broadcast(std::uint8_t byte) { return _mm512_set1_epi8(static_cast<char>(byte)); }
+  static Vector load(const std::uint8_t* from) { return _mm512_loadu_si512(from); }
+  static Mask less_equal(Vector a, Vector b) { return _mm512_cmple_epu8_mask(a, b); }
+  static Mask both(Mask a, Mask b) { return a & b; }
+  static std::uint64_t bits(Mask mask) { return mask; }
+};
+
 }  // namespace
 
-constinit const Kernels kAvx512Kernels = make_kernels<Avx512Lanes>(VectorIsa::avx512, "avx512");
+constinit const Kernels kAvx512Kernels = make_kernels<Avx512Lanes, Avx512Bytes>(VectorIsa::avx512, "avx512");
 
 }  // namespace cellsweep::stream

@@ -46,6 +46,24 @@ struct Places {
   std::size_t count;
 };
 
+/// Boxes on two axes in bytes, in the order of a third axis. Behind the last one there is room for as many as
+/// a vector holds, with anything in it.
+struct SweptBoxes {
+  const std::uint8_t* low_y;
+  const std::uint8_t* high_y;
+  const std::uint8_t* low_z;
+  const std::uint8_t* high_z;
+  const std::uint32_t* end;  ///< for each the first one behind it that begins beyond it
+  std::uint32_t count;
+};
+
+/// A box, and which of those from `first` on it overlaps as far as bytes tell, a bit each.
+struct SweptHits {
+  std::uint64_t lanes;
+  std::uint32_t place;
+  std::uint32_t first;
+};
+
 /// The kernels of one instruction set. Keys are those of slots.
 ///
 /// Of the cells that two overlapping boxes share, one owns the pair: that which holds the lower corner of
@@ -70,6 +88,11 @@ struct Kernels {
 
   /// Appends the slots of the boxes that overlap this one, where the cell owns the pair.
   void (*partners)(const CellBoxes& cell, const TaggedBox& box, KeyBuffer& slots);
+
+  /// Compares boxes from `place` on with those behind them, as far as there is room for `most` hits, and says
+  /// how many there are; `place` becomes the first box that was not compared. `most` is at least one for each
+  /// vector of boxes. Null where there are no vectors of bytes.
+  std::uint32_t (*sweep)(const SweptBoxes& boxes, std::uint32_t& place, SweptHits* hits, std::uint32_t most);
 };
 
 /// The kernels of an instruction set, or of the best one; null when this processor or build does not have it.

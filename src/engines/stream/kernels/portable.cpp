@@ -35,6 +35,6 @@ struct PortableLanes {
 
 }  // namespace
 
-constinit const Kernels kPortableKernels = make_kernels<PortableLanes>(VectorIsa::portable, "portable");
+constinit const Kernels kPortableKernels = make_kernels<PortableLanes, void>(VectorIsa::portable, "portable");
 
 }  // namespace cellsweep::stream

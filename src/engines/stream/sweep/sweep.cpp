@@ -1,0 +1,170 @@
+#include "engines/stream/sweep/sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cfloat>
+
+#include "base/tuning.h"
+#include "engines/stream/cells/box_sample.h"
+#include "geometry/box_lanes.h"
+
+namespace cellsweep::stream {
+namespace {
+
+/// Numbers on the axis of the order.
+constexpr std::uint32_t kPlaces = 512;
+/// Room behind the last byte for a vector.
+constexpr std::size_t kPadding = 64;
+/// Hits that are looked at at a time; more than there are vectors of the shortest kind.
+constexpr std::uint32_t kHits = 1024;
+static_assert(kHits > tuning::kMostSwept / 16 + 1);
+
+/// Maps coordinates of the three axes, in lanes 0 to 2, to whole numbers.
+struct NumberMap {
+  Float4 origin{};
+  Float4 scale{};
+  Float4 top{};
+
+  // NaN becomes 0.
+  Int4 operator()(Float4 coordinates) const {
+    const Float4 zero{};
+    Float4 numbers = (coordinates - origin) * scale;
+    numbers = numbers > zero ? numbers : zero;
+    numbers = numbers < top ? numbers : top;
+    return __builtin_convertvector(numbers, Int4);
+  }
+};
+
+/// The axis on which boxes are shortest by its length.
+unsigned longest_axis(const BoxSample& sample) {
+  const std::array<double, 3> edges = {sample.extents.x, sample.extents.y, sample.extents.z};
+  unsigned best = 0;
+  double longest = -1;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const double length = sample.axes[axis].length;
+    const double edges_long = length / (edges[axis] + 1e-4 * length + DBL_MIN);
+    if (edges_long > longest) longest = edges_long, best = axis;
+  }
+  return best;
+}
+
+NumberMap make_map(const BoxSample& sample, unsigned sorted_axis) {
+  NumberMap map;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const double numbers = axis == sorted_axis ? kPlaces : 256;
+    const double length = sample.axes[axis].length;
+    map.origin[axis] = static_cast<float>(sample.axes[axis].origin);
+    map.scale[axis] = length > 0 ? static_cast<float>(std::min(numbers / length, double{FLT_MAX})) : 0;
+    map.top[axis] = static_cast<float>(numbers - 1);
+  }
+  return map;
+}
+
+}  // namespace
+
+bool Sweep::find(const Kernels& kernels, std::span<const Aabb> boxes, Keys& found) {
+  const std::uint32_t count = make_rows(boxes);
+  sort_rows(count);
+  if (!pays(kernels, count)) return false;
+  const std::size_t before = found.buffer().size;
+  if (find_pairs(kernels, boxes, count, found.buffer())) return true;
+  found.buffer().size = before;
+  return false;
+}
+
+// How many there are.
+std::uint32_t Sweep::make_rows(std::span<const Aabb> boxes) {
+  const BoxSample sample = take_sample({boxes.data(), boxes.size()});
+  const unsigned x = longest_axis(sample), y = (x + 1) % 3, z = (x + 2) % 3;
+  const NumberMap map = make_map(sample, x);
+  rows_.renew(boxes.size());
+  slots_.renew(boxes.size());
+  std::uint32_t count = 0;
+  for (std::uint32_t slot = 0; slot < boxes.size(); ++slot) {
+    const BoxLanes box(boxes[slot]);
+    const Int4 low = map(box.min);
+    const Int4 high = map(box.max);
+    rows_.data()[count] = {static_cast<std::uint16_t>(low[x]), static_cast<std::uint16_t>(high[x]),
+                           static_cast<std::uint8_t>(low[y]),  static_cast<std::uint8_t>(high[y]),
+                           static_cast<std::uint8_t>(low[z]),  static_cast<std::uint8_t>(high[z])};
+    slots_.data()[count] = slot;
+    count += boxes[slot].min[0] <= boxes[slot].max[0] ? 1 : 0;  // NaN: nobody
+  }
+  return count;
+}
+
+// By counting.
+void Sweep::sort_rows(std::uint32_t count) {
+  const std::size_t room = count + kPadding;
+  sorted_.renew(count);
+  ends_.renew(count);
+  bytes_.renew(4 * room);
+  std::array<std::uint32_t, kPlaces + 1> first{};
+  for (const Row& row : rows_.view().first(count)) ++first[row.low_x + 1];
+  for (std::uint32_t place = 0; place < kPlaces; ++place) first[place + 1] += first[place];
+  std::array<std::uint32_t, kPlaces> next;
+  std::copy_n(first.begin(), kPlaces, next.begin());
+  std::uint8_t* const bytes = bytes_.data();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Row row = rows_.data()[i];
+    const std::uint32_t place = next[row.low_x]++;
+    sorted_.data()[place] = slots_.data()[i];
+    ends_.data()[place] = first[row.high_x + 1];
+    bytes[place] = row.low_y;
+    bytes[room + place] = row.high_y;
+    bytes[2 * room + place] = row.low_z;
+    bytes[3 * room + place] = row.high_z;
+  }
+}
+
+bool Sweep::pays(const Kernels& kernels, std::uint32_t count) {
+  std::uint64_t compared = 0;
+  for (std::uint32_t place = 0; place < count; ++place) compared += ends_.data()[place] - place;
+  tests_ += compared;
+  // A vector holds four times as many bytes as boxes.
+  return compared <= std::uint64_t{4} * kernels.lanes * tuning::kVectorsOfSwept * count;
+}
+
+bool Sweep::find_pairs(const Kernels& kernels, std::span<const Aabb> boxes, std::uint32_t count,
+                       KeyBuffer& found) {
+  const std::size_t room = count + kPadding;
+  const std::uint8_t* const bytes = bytes_.data();
+  const SweptBoxes swept{bytes, bytes + room, bytes + 2 * room, bytes + 3 * room, ends_.data(), count};
+  hits_.renew(kHits);
+  const std::size_t before = found.size;
+  std::uint64_t tests = 0;
+  for (std::uint32_t place = 0; place < count;) {
+    const std::uint32_t hits = kernels.sweep(swept, place, hits_.data(), kHits);
+    const std::uint64_t more = test(boxes, hits_.view().first(hits), found);
+    tests += more;
+    tests_ += more;
+    if (tests > 4 * (found.size - before) + std::uint64_t{tuning::kTestsOfSwept} * count) return false;
+  }
+  return true;
+}
+
+// The pairs of these hits that are some. How many hits there were.
+std::uint64_t Sweep::test(std::span<const Aabb> boxes, std::span<const SweptHits> hits,
+                          KeyBuffer& found) const {
+  std::uint64_t tests = 0;
+  const std::uint32_t* const slots = sorted_.data();
+  for (const SweptHits& hit : hits) {
+    const Slot slot = slots[hit.place];
+    const BoxLanes box(boxes[slot]);
+    make_room(found, 64);
+    for (std::uint64_t lanes = hit.lanes; lanes != 0; lanes &= lanes - 1) {
+      const Slot other = slots[hit.first + static_cast<unsigned>(std::countr_zero(lanes))];
+      found.keys[found.size] = pair_key(make_slot_pair(slot, other));
+      found.size += overlap(box, BoxLanes(boxes[other])) ? 1 : 0;
+      ++tests;
+    }
+  }
+  return tests;
+}
+
+std::size_t Sweep::bytes() const {
+  return rows_.bytes() + slots_.bytes() + sorted_.bytes() + ends_.bytes() + bytes_.bytes() + hits_.bytes();
+}
+
+}  // namespace cellsweep::stream

@@ -1,0 +1,54 @@
+/// @file
+/// All pairs of a small world without cells: boxes in the order of one axis, the other two in bytes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/memory/array.h"
+#include "engines/stream/cells/grid.h"
+#include "engines/stream/cells/keys.h"
+#include "engines/stream/kernels/kernel.h"
+
+namespace cellsweep::stream {
+
+/// Coordinates become small numbers by maps that never decrease, so that no pair is missed; what overlaps in
+/// small numbers is tested by its boxes.
+class Sweep {
+ public:
+  /// Appends the keys of all pairs, in no order. False, and nothing is appended, when cells would take less:
+  /// where small numbers tell too little. `boxes` are by slot, kNobody where there is no body; at most
+  /// tuning::kMostSwept. Throws TooManyPairs where `found` is limited.
+  bool find(const Kernels& kernels, std::span<const Aabb> boxes, Keys& found);
+
+  /// Comparisons of two boxes, in bytes or as they are, since it was made.
+  std::uint64_t tests() const { return tests_; }
+  std::size_t bytes() const;
+
+ private:
+  /// A box in small numbers.
+  struct Row {
+    std::uint16_t low_x;
+    std::uint16_t high_x;
+    std::uint8_t low_y;
+    std::uint8_t high_y;
+    std::uint8_t low_z;
+    std::uint8_t high_z;
+  };
+
+  std::uint32_t make_rows(std::span<const Aabb> boxes);
+  void sort_rows(std::uint32_t count);
+  bool pays(const Kernels& kernels, std::uint32_t count);
+  bool find_pairs(const Kernels& kernels, std::span<const Aabb> boxes, std::uint32_t count, KeyBuffer& found);
+  std::uint64_t test(std::span<const Aabb> boxes, std::span<const SweptHits> hits, KeyBuffer& found) const;
+
+  Array<Row> rows_;
+  Array<std::uint32_t> slots_;   // of the rows
+  Array<std::uint32_t> sorted_;  // slots in the order of the axis
+  Array<std::uint32_t> ends_;
+  Array<std::uint8_t> bytes_;  // low y, high y, low z, high z
+  Array<SweptHits> hits_;
+  std::uint64_t tests_ = 0;
+};
+
+}  // namespace cellsweep::stream

@@ -1,0 +1,125 @@
+/// @file
+/// The sweep of small worlds against brute force, on every kind of boxes, with the kernels of every
+/// instruction set.
+#include "engines/stream/sweep/sweep.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "contract/box_kinds.h"
+#include "engines/stream/worlds.h"
+
+namespace cellsweep::stream {
+namespace {
+
+using contract::Random;
+using testing::IsEmpty;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr Aabb kHole = {{kNan, kNan, kNan}, {kNan, kNan, kNan}};
+
+class SweepTest : public testing::TestWithParam<VectorIsa> {
+ protected:
+  void SetUp() override {
+    kernels_ = find_kernels(GetParam());
+    if (kernels_ == nullptr || kernels_->sweep == nullptr) GTEST_SKIP() << "this machine does not have it";
+  }
+
+  /// The pairs, ascending; fails the test where the sweep would rather have cells.
+  std::vector<Pair> pairs_of(const std::vector<Aabb>& boxes) {
+    Keys keys;
+    EXPECT_TRUE(sweep_.find(*kernels_, boxes, keys));
+    std::vector<Pair> pairs;
+    for (const std::uint64_t key : keys.view())
+      pairs.push_back({static_cast<BodyId>(key >> 32), static_cast<BodyId>(key)});
+    std::ranges::sort(pairs);
+    return pairs;
+  }
+
+  const Kernels* kernels_ = nullptr;
+  Sweep sweep_;
+};
+
+TEST_P(SweepTest, OfNobodyFindsNothing) {
+  EXPECT_THAT(pairs_of({}), IsEmpty());
+  EXPECT_THAT(pairs_of({kHole, kHole}), IsEmpty());
+  EXPECT_THAT(pairs_of({kHole, Aabb{}, kHole}), IsEmpty());
+}
+
+TEST_P(SweepTest, FindsThePairsOfBruteForceInWorldsOfAnySize) {
+  for (const std::size_t count : {2, 3, 15, 16, 17, 63, 64, 65, 66, 129, 500, 1000, 2048}) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      std::vector<Aabb> boxes = uniform_boxes(count / kScale + 2, seed);
+      EXPECT_EQ(pairs_of(boxes), pairs_among(boxes)) << count;
+      boxes[boxes.size() / 2] = kHole;
+      EXPECT_EQ(pairs_of(boxes), pairs_among(boxes)) << count << " with a hole";
+    }
+  }
+}
+
+// Whether small numbers tell enough or not, every pair is found or none.
+TEST_P(SweepTest, FindsAllPairsOrNoneOfEveryKindOfBoxes) {
+  Random random(7);
+  int found = 0;
+  for (const contract::BoxKind& kind : contract::box_kinds()) {
+    for (const std::size_t count : {5U, 70U, 300U}) {
+      std::vector<Aabb> boxes;
+      for (const Aabb& box : make_boxes(kind, random, count)) boxes.push_back(contract::canonical_box(box));
+      Keys keys;
+      if (!sweep_.find(*kernels_, boxes, keys)) {
+        EXPECT_THAT(keys.view(), IsEmpty()) << kind;
+        continue;
+      }
+      ++found;
+      EXPECT_EQ(pairs_of(boxes), pairs_among(boxes)) << kind;
+    }
+  }
+  EXPECT_GT(found, 10);
+}
+
+TEST_P(SweepTest, LeavesToCellsWhatItsNumbersDoNotTellApart) {
+  // One body far away on each axis, and the sample has it for the usual: all others are one number.
+  std::vector<Aabb> boxes;
+  Random random(3);
+  for (int i = 0; i < 2000; ++i) boxes.push_back(cube_in(random, 1e-4F, 1));
+  for (std::size_t i = 0; i < boxes.size(); i += 2) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float far = random.between(0, 1e5F);
+      boxes[i].min[axis] = far;
+      boxes[i].max[axis] = far + 1;
+    }
+  }
+  Keys keys;
+  const bool swept = sweep_.find(*kernels_, boxes, keys);
+  EXPECT_LT(sweep_.tests(), std::uint64_t{64} * 16 * boxes.size()) << "whatever it decides, it is soon";
+  EXPECT_TRUE(swept || keys.view().empty());
+}
+
+TEST_P(SweepTest, KeepsWhatWasThereBefore) {
+  Keys keys;
+  const std::vector<Aabb> boxes = uniform_boxes(200, 5);
+  ASSERT_TRUE(sweep_.find(*kernels_, boxes, keys));
+  const std::size_t count = keys.view().size();
+  ASSERT_TRUE(sweep_.find(*kernels_, boxes, keys));
+  EXPECT_EQ(keys.view().size(), 2 * count);
+}
+
+TEST_P(SweepTest, StopsAtMorePairsThanThereMayBe) {
+  const std::vector<Aabb> heap(240, Aabb{{0, 0, 0}, {1, 1, 1}});
+  Keys keys;
+  keys.buffer().most = 1000;
+  EXPECT_THROW(sweep_.find(*kernels_, heap, keys), TooManyPairs);
+}
+
+INSTANTIATE_TEST_SUITE_P(Isas, SweepTest,
+                         testing::Values(VectorIsa::sse41, VectorIsa::avx2, VectorIsa::avx512),
+                         [](const auto& test) {
+                           return "Isa" + std::to_string(static_cast<int>(test.param));
+                         });
+
+}  // namespace
+}  // namespace cellsweep::stream
