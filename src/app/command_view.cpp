@@ -60,8 +60,8 @@ struct View {
     const std::size_t steps = window.frames.value_or(0);
     const SceneSettings& s = scene.settings;
     const std::string what =
-        file.empty() ? text("--scene ", s.scene, " --bodies ", s.bodies, " --moving ", s.moving, " --speed ",
-                            s.speed, s.spinning ? " --spinning" : "", " --seed ", s.seed)
+        file.empty() ? text("--scene ", s.scene, " --bodies ", s.bodies, " --moving ", moving_share(s),
+                            " --speed ", s.speed, s.spinning ? " --spinning" : "", " --seed ", s.seed)
                      : "'" + file + "'";
     const std::string out = window.screenshot.empty() ? "scene.png" : window.screenshot.string();
     return text("cellsweep render ", what, " --frame ",

@@ -18,7 +18,7 @@ class LiveScene final : public FrameSource {
   static Result<std::unique_ptr<LiveScene>> make(const SceneSettings& settings);
 
   const Aabb& bounds() const { return world_.bounds(); }
-  double moving() const { return settings_.moving; }
+  double moving() const { return moving_share(settings_); }
 
   /// From the next frame on this share of the bodies moves; all stay where they are, and who moved and still
   /// moves keeps its course. Errors, without a change: those of make_scene().

@@ -56,7 +56,7 @@ class Simulation {
   const FrameSource& source() const { return *source_; }
   const Aabb& bounds() const { return bounds_; }
   std::size_t bodies() const { return source_->boxes().size(); }
-  double moving() const { return settings_.scene.moving; }
+  double moving() const { return moving_share(settings_.scene); }
   std::size_t frame() const { return frame_; }
 
   const std::string& engine_name() const { return settings_.engine; }
