@@ -26,6 +26,7 @@ class LiveScene final : public FrameSource {
 
   std::string name() const override { return settings_.scene; }
   std::span<const Aabb> boxes() const override { return boxes_; }
+  std::span<const BodyId> bodies() const override { return world_.ids(); }
   std::span<const BodyPose> poses() const override { return poses_; }
   std::span<const BodyId> moved() const override { return world_.moved(); }
   bool advance() override;
