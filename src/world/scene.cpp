@@ -30,7 +30,7 @@ Eigen::Vector3f random_vector(double length, Random& random) {
 
 // The whole speed goes along the axes on which a body may move.
 Eigen::Vector3f random_velocity(double speed, const std::array<bool, 3>& axes, Random& random) {
-  const Eigen::Vector3f free = random_vector(speed, random);
+  Eigen::Vector3f free = random_vector(speed, random);
   if (axes[0] && axes[1] && axes[2]) return free;
   std::array<double, 3> kept{};
   double square = 0;

@@ -29,8 +29,7 @@ struct SceneSettings {
   std::optional<double> moving{};  ///< share of the bodies that move, 0 to 1; none: the scene's own
   double speed = 1.0;              ///< factor on how far bodies move a frame; 0 to 1,000,000
   bool spinning = false;  ///< moving bodies also turn (W2), at most 0.1 radians a frame whatever the speed
-  GiantSlot giant =
-      GiantSlot::none;  ///< takes the place of a body, and never moves; of `pile` it is the plane
+  GiantSlot giant = GiantSlot::none;  ///< takes the place of a body, and never moves
 };
 
 /// One row of the scene table.

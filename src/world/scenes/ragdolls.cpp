@@ -107,10 +107,10 @@ class Ragdolls final : public SceneScript {
   Offset place_of(BodyId ragdoll) const {
     constexpr double kJitter = 0.1;
     Random random(places_seed_, ragdoll);
-    const auto column = static_cast<double>(ragdoll % side_);
-    const auto row = static_cast<double>(ragdoll / side_);
-    return {1 + kSpacingX * column + random.between(-kJitter, kJitter), 0,
-            1 + kSpacingZ * row + random.between(-kJitter, kJitter)};
+    const std::size_t column = ragdoll % side_;
+    const std::size_t row = ragdoll / side_;
+    return {1 + kSpacingX * static_cast<double>(column) + random.between(-kJitter, kJitter), 0,
+            1 + kSpacingZ * static_cast<double>(row) + random.between(-kJitter, kJitter)};
   }
 
   // Sways in 100 to 400 frames, from its place on.
