@@ -34,7 +34,7 @@ double time_initial(const EngineRow& row, const FrameSource& source, Broadphase&
 double time_next_frame(const EngineRow& row, FrameSource& source, Broadphase& engine) {
   if (row.mode == Mode::moving) source.advance();
   return seconds_of(
-      report::time_frame(engine, [&] { return report::move_changed(engine, source, shape_of(row)); }));
+      report::time_frame(engine, [&] { return report::hand_over_changes(engine, source, shape_of(row)); }));
 }
 
 // Empty when the engine equals the oracle on the first frames of the row, else what is wrong.

@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,12 +20,17 @@ enum class Mode { initial, settled, moving };
 struct ModeInfo {
   std::string_view name;
   Mode mode;
-  double moving;  ///< share of the bodies
+  std::optional<double> moving;  ///< share of the bodies; none: the scene's own
 };
 
 inline constexpr std::array kModes = {
     ModeInfo{"initial", Mode::initial, 0.0}, ModeInfo{"static", Mode::settled, 0.0},
     ModeInfo{"moving10", Mode::moving, 0.1}, ModeInfo{"moving100", Mode::moving, 1.0}};
+
+/// For scenes with a motion of their own.
+inline constexpr std::array kOwnModes = {ModeInfo{"initial", Mode::initial, std::nullopt},
+                                         ModeInfo{"static", Mode::settled, std::nullopt},
+                                         ModeInfo{"own", Mode::moving, std::nullopt}};
 
 /// What a row runs.
 struct EngineRow {

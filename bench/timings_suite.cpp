@@ -61,10 +61,10 @@ Run run_engine_through(const std::string& name) {
   for (std::size_t i = 0; i < kUpdates; ++i) run.still.push_back(frame_us(engine, report::hand_over_nothing));
   for (std::size_t i = 0; i < kUpdates; ++i) {
     source->advance();
-    run.moving.push_back(frame_us(engine, [&] { return report::move_changed(engine, *source); }));
+    run.moving.push_back(frame_us(engine, [&] { return report::hand_over_changes(engine, *source); }));
     run.longest_spu = std::max(run.longest_spu, longest_spu_us(engine));
   }
-  const std::vector<Pair> truth = report::oracle_pairs(source->boxes());
+  const std::vector<Pair> truth = report::oracle_pairs(*source);
   run.exact = std::equal(engine.pairs().begin(), engine.pairs().end(), truth.begin(), truth.end());
   return run;
 }

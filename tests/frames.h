@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -17,15 +16,16 @@
 
 namespace cellsweep {
 
-/// Inserts all bodies of a source, as 0 … n − 1.
+/// Inserts the bodies of the frame that a source stands at.
 inline Status insert_all(Broadphase& broadphase, const FrameSource& source) {
-  std::vector<BodyId> ids(source.boxes().size());
-  std::iota(ids.begin(), ids.end(), BodyId{0});
-  return broadphase.insert(ids, source.boxes());
+  std::vector<Aabb> boxes;
+  for (const BodyId body : source.bodies()) boxes.push_back(source.boxes()[body]);
+  return broadphase.insert(source.bodies(), boxes);
 }
 
-/// Moves the bodies that changed in the frame that the source stands at.
+/// Moves the bodies that changed in the frame that the source stands at; none of it come or go.
 inline Status move_changed(Broadphase& broadphase, const FrameSource& source) {
+  EXPECT_FALSE(source.bodies_come_and_go());
   std::vector<Aabb> boxes;
   for (const BodyId body : source.moved()) boxes.push_back(source.boxes()[body]);
   return broadphase.move(source.moved(), boxes);

@@ -40,7 +40,7 @@ std::vector<Aabb> random_boxes(std::size_t bodies) {
   std::vector<Aabb> boxes(bodies);
   for (std::size_t i = 0; i < bodies; ++i) {
     Random random(1, i);
-    const Placement placement = recipe.place(static_cast<BodyId>(i), edge, random);
+    const Placement placement = recipe.place({static_cast<BodyId>(i), edge, true}, random);
     for (std::size_t k = 0; k < 3; ++k) {
       boxes[i].min[k] = placement.centre[k] - 0.5F * placement.edges[k];
       boxes[i].max[k] = placement.centre[k] + 0.5F * placement.edges[k];

@@ -9,7 +9,7 @@ namespace {
 class BoxPruningPeer final : public Peer {
  public:
   void insert(std::span<const Aabb> boxes) override { pruning_.find_pairs(boxes, found_); }
-  void update(std::span<const Aabb> boxes, std::span<const BodyId>) override { insert(boxes); }
+  void update(std::span<const Aabb> boxes, const PeerChanges&) override { insert(boxes); }
   // The next search writes into whatever memory the caller had.
   void list_pairs(std::vector<Pair>& pairs) override { pairs.swap(found_); }
 

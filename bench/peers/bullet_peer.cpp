@@ -5,6 +5,7 @@
 #include <btBulletCollisionCommon.h>
 
 #include <cstdint>
+#include <utility>
 
 #include "bench/peers/peer_table.h"
 
@@ -27,7 +28,7 @@ class BulletPeer final : public Peer {
     if (!broadphase_) return;
     // A sweep's memory goes with it; the tree's proxies are on the heap.
     for (btBroadphaseProxy* proxy : proxies_) {
-      if (kind_ == Kind::tree) btAlignedFree(proxy);
+      if (kind_ == Kind::tree && proxy != nullptr) btAlignedFree(proxy);
     }
   }
 
@@ -38,20 +39,18 @@ class BulletPeer final : public Peer {
     gDbvtMargin = margin_;
     make_broadphase(boxes.size());
     proxies_.resize(boxes.size());
-    for (std::size_t id = 0; id < boxes.size(); ++id) {
-      // A body without a client object would be skipped.
-      auto* client = reinterpret_cast<void*>(static_cast<std::uintptr_t>(id + 1));
-      proxies_[id] = broadphase_->createProxy(vector_of(boxes[id].min), vector_of(boxes[id].max),
-                                              BOX_SHAPE_PROXYTYPE, client, btBroadphaseProxy::DefaultFilter,
-                                              btBroadphaseProxy::AllFilter, &dispatcher_);
-    }
+    for (std::size_t id = 0; id < boxes.size(); ++id) enter(static_cast<BodyId>(id));
     broadphase_->calculateOverlappingPairs(&dispatcher_);
   }
 
-  void update(std::span<const Aabb> boxes, std::span<const BodyId> moved) override {
+  void update(std::span<const Aabb> boxes, const PeerChanges& changes) override {
     boxes_ = boxes;
     gDbvtMargin = margin_;
-    for (const BodyId id : moved) {
+    for (const BodyId id : changes.removed) {
+      broadphase_->destroyProxy(std::exchange(proxies_[id], nullptr), &dispatcher_);
+    }
+    for (const BodyId id : changes.inserted) enter(id);
+    for (const BodyId id : changes.moved) {
       broadphase_->setAabb(proxies_[id], vector_of(boxes[id].min), vector_of(boxes[id].max), &dispatcher_);
     }
     broadphase_->calculateOverlappingPairs(&dispatcher_);
@@ -68,6 +67,14 @@ class BulletPeer final : public Peer {
   }
 
  private:
+  void enter(BodyId id) {
+    // A body without a client object would be skipped.
+    auto* client = reinterpret_cast<void*>(static_cast<std::uintptr_t>(id) + 1);
+    proxies_[id] = broadphase_->createProxy(vector_of(boxes_[id].min), vector_of(boxes_[id].max),
+                                            BOX_SHAPE_PROXYTYPE, client, btBroadphaseProxy::DefaultFilter,
+                                            btBroadphaseProxy::AllFilter, &dispatcher_);
+  }
+
   static BodyId id_of(const btBroadphaseProxy& proxy) {
     return static_cast<BodyId>(reinterpret_cast<std::uintptr_t>(proxy.m_clientObject) - 1);
   }
@@ -105,6 +112,7 @@ PeerInfo bullet_peer(std::string_view name, Kind kind, float margin) {
   PeerInfo info;
   info.name = name;
   info.threads = "1";
+  info.removes = true;
   info.exactness = "the pairs and those of boxes made larger or rounded; dropped here when the list is made";
   info.make = [=] { return std::make_unique<BulletPeer>(kind, margin); };
   return info;

@@ -48,7 +48,7 @@ class CgalPeer final : public Peer {
                                        CGAL::Box_intersection_d::CLOSED);
   }
 
-  void update(std::span<const Aabb> boxes, std::span<const BodyId>) override { insert(boxes); }
+  void update(std::span<const Aabb> boxes, const PeerChanges&) override { insert(boxes); }
 
   void list_pairs(std::vector<Pair>& pairs) override {
     pairs.clear();

@@ -57,9 +57,9 @@ class EmbreePeer final : public Peer {
     collide();
   }
 
-  void update(std::span<const Aabb> boxes, std::span<const BodyId> moved) override {
+  void update(std::span<const Aabb> boxes, const PeerChanges& changes) override {
     boxes_ = boxes;
-    if (!moved.empty()) {
+    if (changes.any()) {
       const InsideEmbree inside(this);
       rtcCommitGeometry(geometry_.get());
       rtcCommitScene(scene_.get());

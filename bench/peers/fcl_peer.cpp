@@ -5,6 +5,7 @@
 #include <fcl/geometry/shape/box.h>
 #include <fcl/narrowphase/collision_object.h>
 
+#include <array>
 #include <cstdint>
 
 #include "bench/peers/peer_table.h"
@@ -51,15 +52,20 @@ class FclPeer final : public Peer {
     collide();
   }
 
-  void update(std::span<const Aabb> boxes, std::span<const BodyId> moved) override {
+  void update(std::span<const Aabb> boxes, const PeerChanges& changes) override {
+    for (const BodyId id : changes.removed) manager_.unregisterObject(objects_[id].get());
+    for (const BodyId id : changes.inserted) {
+      objects_[id]->set_box(boxes[id]);
+      manager_.registerObject(objects_[id].get());
+    }
     moved_.clear();
-    for (const BodyId id : moved) {
+    for (const BodyId id : changes.moved) {
       objects_[id]->set_box(boxes[id]);
       moved_.push_back(objects_[id].get());
     }
-    if (moved.size() == boxes.size()) {
+    if (moved_.size() == boxes.size()) {
       manager_.update();
-    } else if (!moved.empty()) {
+    } else if (!moved_.empty()) {
       manager_.update(moved_);
     }
     collide();
@@ -88,11 +94,14 @@ class FclPeer final : public Peer {
   std::vector<Pair> found_;
 };
 
+constexpr std::array<std::string_view, 4> kNotForSap = {"stacks", "pile", "level", "open-world"};
+
 template <class Manager>
 PeerInfo fcl_peer(std::string_view name, std::string_view settings, std::size_t most_bodies) {
   PeerInfo info;
   info.name = name;
   info.threads = "1";
+  info.removes = true;
   info.margin = "none";
   info.settings = settings;
   info.exactness = "what `collide()` calls back for; tested again here";
@@ -111,8 +120,12 @@ void add_fcl_peers(std::vector<PeerInfo>& peers) {
   peers.push_back(fcl_peer<fcl::SaPCollisionManagerd>(
       "fcl_sap",
       "`SaPCollisionManager`, the same; 1,000 bodies at most: with 10,000 that all move in scene `wall` its "
-      "`update()` did not return within a minute",
+      "`update()` did not return within a minute. Left out of `stacks` and `pile`, where it never returns, "
+      "of "
+      "`level`, where it misses pairs that touch, and of `open-world`, where it keeps pairs of objects that "
+      "were taken out",
       1'000));
+  peers.back().left_out = kNotForSap;
 }
 
 }  // namespace cellsweep::bench

@@ -5,11 +5,20 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 namespace cellsweep::bench {
 namespace {
 
 using Cell = std::array<std::uint32_t, 3>;
+
+double longest_edge(const Aabb& box) {
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    longest = std::max(longest, static_cast<double>(box.max[k]) - static_cast<double>(box.min[k]));
+  }
+  return longest;
+}
 
 /// Even cells over all boxes.
 class Grid {
@@ -52,14 +61,6 @@ class Grid {
     double cells = 1;
     for (std::size_t k = 0; k < 3; ++k) cells *= std::floor((top[k] - low_[k]) / edge_) + 1;
     return cells;
-  }
-
-  static double longest_edge(const Aabb& box) {
-    double longest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      longest = std::max(longest, static_cast<double>(box.max[k]) - static_cast<double>(box.min[k]));
-    }
-    return longest;
   }
 
   // Never decreases with the coordinate: all that exactness needs.
@@ -125,11 +126,8 @@ void compare_in_cell(const Grid& grid, std::span<const Aabb> boxes, std::size_t 
   }
 }
 
-}  // namespace
-
-std::vector<Pair> grid_pairs(std::span<const Aabb> boxes) {
-  std::vector<Pair> pairs;
-  if (boxes.empty()) return pairs;
+void append_grid_pairs(std::span<const Aabb> boxes, std::vector<Pair>& pairs) {
+  if (boxes.empty()) return;
   const Grid grid(boxes);
   const Entries entries = enter_all(grid, boxes);
   std::size_t start = 0;
@@ -137,6 +135,34 @@ std::vector<Pair> grid_pairs(std::span<const Aabb> boxes) {
     const std::size_t end = entries.ends[cell];
     compare_in_cell(grid, boxes, cell, std::span(entries.ids).subspan(start, end - start), pairs);
     start = end;
+  }
+}
+
+// All bodies, the few with the longest boxes first: beside a plane that is far larger than the world, cells
+// of any even size would hold all others or be too many.
+std::vector<BodyId> largest_first(std::span<const Aabb> boxes, std::size_t few) {
+  std::vector<BodyId> ids(boxes.size());
+  std::iota(ids.begin(), ids.end(), BodyId{0});
+  std::partial_sort(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(few), ids.end(),
+                    [&](BodyId a, BodyId b) { return longest_edge(boxes[a]) > longest_edge(boxes[b]); });
+  return ids;
+}
+
+}  // namespace
+
+std::vector<Pair> grid_pairs(std::span<const Aabb> boxes) {
+  constexpr std::size_t kLargest = 4;
+  const std::size_t few = std::min(kLargest, boxes.size());
+  const std::vector<BodyId> ids = largest_first(boxes, few);
+  std::vector<Aabb> rest;
+  for (std::size_t i = few; i < ids.size(); ++i) rest.push_back(boxes[ids[i]]);
+  std::vector<Pair> pairs;
+  append_grid_pairs(rest, pairs);
+  for (Pair& pair : pairs) pair = make_pair_of(ids[few + pair.a], ids[few + pair.b]);
+  for (std::size_t i = 0; i < few; ++i) {
+    for (std::size_t j = i + 1; j < ids.size(); ++j) {
+      if (overlap(boxes[ids[i]], boxes[ids[j]])) pairs.push_back(make_pair_of(ids[i], ids[j]));
+    }
   }
   return pairs;
 }

@@ -12,8 +12,9 @@
 namespace cellsweep::bench {
 
 /// Every overlapping pair of bodies 0 … n − 1, in any order. Boxes are canonical and valid. Time and memory
-/// are linear in the bodies while most of them are about as large, and as far apart, as each other; a giant
-/// is entered into every cell it reaches into. Throws std::bad_alloc.
+/// are linear in the bodies while most of them are about as large, and as far apart, as each other. The four
+/// largest are compared with all; another giant is entered into every cell it reaches into. Throws
+/// std::bad_alloc.
 std::vector<Pair> grid_pairs(std::span<const Aabb> boxes);
 
 }  // namespace cellsweep::bench

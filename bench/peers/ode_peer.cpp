@@ -42,11 +42,9 @@ int geometry_class() {
 class OdePeer final : public Peer {
  public:
   ~OdePeer() override {
+    // A geometry that is destroyed leaves its space.
+    for (const dGeomID geometry : geometries_) dGeomDestroy(geometry);
     if (space_ != nullptr) dSpaceDestroy(space_);
-    // Those that were never entered.
-    if (space_ == nullptr) {
-      for (const dGeomID geometry : geometries_) dGeomDestroy(geometry);
-    }
   }
 
   void prepare(const Stage& stage) override {
@@ -59,22 +57,26 @@ class OdePeer final : public Peer {
   void insert(std::span<const Aabb> boxes) override {
     boxes_ = boxes;
     space_ = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY);
-    for (std::size_t id = 0; id < boxes.size(); ++id) {
-      set_box(id);
-      dSpaceAdd(space_, geometries_[id]);
-    }
+    for (std::size_t id = 0; id < boxes.size(); ++id) enter(id);
     collide();
   }
 
-  void update(std::span<const Aabb> boxes, std::span<const BodyId> moved) override {
+  void update(std::span<const Aabb> boxes, const PeerChanges& changes) override {
     boxes_ = boxes;
-    for (const BodyId id : moved) set_box(id);
+    for (const BodyId id : changes.removed) dSpaceRemove(space_, geometries_[id]);
+    for (const BodyId id : changes.inserted) enter(id);
+    for (const BodyId id : changes.moved) set_box(id);
     collide();
   }
 
   void list_pairs(std::vector<Pair>& pairs) override { pairs.swap(found_); }
 
  private:
+  void enter(std::size_t id) {
+    set_box(id);
+    dSpaceAdd(space_, geometries_[id]);
+  }
+
   // Setting a place is how a geometry says that its bounds are no longer what they were.
   void set_box(std::size_t id) {
     const Aabb& box = boxes_[id];
@@ -110,6 +112,7 @@ void add_ode_peers(std::vector<PeerInfo>& peers) {
   PeerInfo info;
   info.name = "ode_sap";
   info.threads = "1";
+  info.removes = true;
   info.margin = "none";
   info.settings = "`dSweepAndPruneSpaceCreate`, axes XZY; it sorts anew in each frame";
   info.exactness = "what `dSpaceCollide` calls back for; tested again here";

@@ -19,8 +19,8 @@ class MemoryLimit final : public Peer {
 
   void insert(std::span<const Aabb> boxes) override { boxes_.assign(boxes.begin(), boxes.end()); }
 
-  void update(std::span<const Aabb> boxes, std::span<const BodyId> moved) override {
-    if (!moved.empty()) insert(boxes);
+  void update(std::span<const Aabb> boxes, const PeerChanges& changes) override {
+    if (changes.any()) insert(boxes);
   }
 
   void list_pairs(std::vector<Pair>& pairs) override { pairs.assign(pairs_.begin(), pairs_.end()); }
@@ -40,18 +40,22 @@ class OwnEngine : public Peer {
     engine_ = std::move(*make_broadphase(name_, settings_));
     ids_.resize(stage.boxes.size());
     for (std::size_t i = 0; i < ids_.size(); ++i) ids_[i] = static_cast<BodyId>(i);
-    moved_boxes_.reserve(ids_.size());
+    gathered_.reserve(ids_.size());
   }
 
   void insert(std::span<const Aabb> boxes) override { insert(ids_, boxes); }
 
-  void update(std::span<const Aabb> boxes, std::span<const BodyId> moved) override {
-    if (moved.size() == boxes.size()) {
+  void update(std::span<const Aabb> boxes, const PeerChanges& changes) override {
+    if (!changes.removed.empty()) check(engine_.remove(ids_of(changes.removed)));
+    if (!changes.inserted.empty()) {
+      const auto gathered = gather(boxes, changes.inserted);
+      check(engine_.insert(ids_of(changes.inserted), gathered));
+    }
+    if (changes.moved.size() == boxes.size()) {
       check(engine_.move(ids_, boxes));
-    } else if (!moved.empty()) {
-      moved_boxes_.clear();
-      for (const BodyId id : moved) moved_boxes_.push_back(boxes[id]);
-      check(engine_.move(ids_of(moved), moved_boxes_));
+    } else if (!changes.moved.empty()) {
+      const auto gathered = gather(boxes, changes.moved);
+      check(engine_.move(ids_of(changes.moved), gathered));
     }
     check(engine_.update().status());
   }
@@ -74,12 +78,18 @@ class OwnEngine : public Peer {
   std::vector<BodyId> ids_;  // by body
 
  private:
+  std::span<const Aabb> gather(std::span<const Aabb> boxes, std::span<const BodyId> bodies) {
+    gathered_.clear();
+    for (const BodyId id : bodies) gathered_.push_back(boxes[id]);
+    return gathered_;
+  }
+
   void check(const Status& status) { failed_ = failed_ || !status.ok(); }
 
   std::string_view name_;
   SettingValues settings_;
   Broadphase engine_;
-  std::vector<Aabb> moved_boxes_;
+  std::vector<Aabb> gathered_;
   bool failed_ = false;
 };
 
@@ -91,7 +101,7 @@ class ScatteredEngine : public OwnEngine {
   void prepare(const Stage& stage) override {
     OwnEngine::prepare(stage);
     for (BodyId& id : ids_) id *= kScatter;
-    moved_ids_.reserve(ids_.size());
+    some_ids_.reserve(ids_.size());
   }
 
   BodyId body_of(BodyId id) const override { return id * kGather; }
@@ -103,12 +113,12 @@ class ScatteredEngine : public OwnEngine {
   static_assert(kScatter * kGather == 1);
 
   std::span<const BodyId> ids_of(std::span<const BodyId> bodies) override {
-    moved_ids_.clear();
-    for (const BodyId body : bodies) moved_ids_.push_back(ids_[body]);
-    return moved_ids_;
+    some_ids_.clear();
+    for (const BodyId body : bodies) some_ids_.push_back(ids_[body]);
+    return some_ids_;
   }
 
-  std::vector<BodyId> moved_ids_;
+  std::vector<BodyId> some_ids_;
 };
 
 /// And with bodies that come in no order: what lies side by side in memory is far apart in space, and the
@@ -143,6 +153,7 @@ PeerInfo own_engine(std::string_view row, std::string_view name, std::string_vie
   PeerInfo info;
   info.name = row;
   info.threads = threads;
+  info.removes = true;
   info.margin = name == "stream" ? "fat boxes, chosen by itself" : "none";
   info.settings = settings;
   info.exactness = "exactly the pairs, in ascending order; also which began and ended";
@@ -162,14 +173,15 @@ void add_own_peers(std::vector<PeerInfo>& peers) {
   memory.settings = "the limit: all boxes copied in when one moved, all pairs copied out";
   memory.exactness = "nothing";
   memory.most_bodies = kAnyNumber;
+  memory.removes = true;
   memory.finds_pairs = false;
   memory.make = [] { return std::make_unique<MemoryLimit>(); };
   peers.push_back(std::move(memory));
 
   constexpr std::string_view kAsItFindsToPay = "as many as it finds to pay";
   peers.push_back(own_engine<OwnEngine>("stream", "stream", kAsItFindsToPay, "as it comes"));
-  peers.push_back(own_engine<ScatteredEngine>(
-      "stream_scattered", "stream", kAsItFindsToPay, "as it comes; ids from all over 32 bits"));
+  peers.push_back(own_engine<ScatteredEngine>("stream_scattered", "stream", kAsItFindsToPay,
+                                              "as it comes; ids from all over 32 bits"));
   peers.push_back(own_engine<ShuffledEngine>(
       "stream_shuffled", "stream", kAsItFindsToPay,
       "as it comes; ids from all over 32 bits, bodies inserted in an order of chance"));

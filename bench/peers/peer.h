@@ -18,8 +18,17 @@ inline constexpr std::size_t kAnyNumber = 100'000'000;
 
 /// What a peer may know before the clock starts.
 struct Stage {
-  Aabb world;                   ///< no body ever leaves it
+  Aabb world;                   ///< no body ever leaves it, but for a giant
   std::span<const Aabb> boxes;  ///< the boxes of frame 0, by id
+};
+
+/// What is new in a frame. Bodies by their numbers, each in one list at most.
+struct PeerChanges {
+  std::span<const BodyId> moved;
+  std::span<const BodyId> inserted{};
+  std::span<const BodyId> removed{};
+
+  bool any() const { return !moved.empty() || !inserted.empty() || !removed.empty(); }
 };
 
 /// A broadphase, and what its user has to do to get from boxes to pairs. One thread calls it; it may have
@@ -36,8 +45,9 @@ class Peer {
   /// lives.
   virtual void insert(std::span<const Aabb> boxes) = 0;
 
-  /// Takes the new boxes of the bodies `moved` and finds the pairs of all.
-  virtual void update(std::span<const Aabb> boxes, std::span<const BodyId> moved) = 0;
+  /// Takes what is new and finds the pairs of all that are there. Boxes are by id. Bodies come and go only
+  /// for a peer that PeerInfo::removes.
+  virtual void update(std::span<const Aabb> boxes, const PeerChanges& changes) = 0;
 
   /// Writes the pairs of the last insert() or update() into a list of the caller's, over what is in it:
   /// exactly those whose closed boxes overlap, each once, in any order.
@@ -61,6 +71,11 @@ struct PeerInfo {
   /// False for one that starts anew in each frame: it has no row for a frame in which it is told that
   /// nothing moved, since its user would keep the pairs.
   bool remembers = true;
+  /// Whether bodies can be taken out and entered singly. To one that cannot, all are given anew in each frame
+  /// in which bodies may come and go.
+  bool removes = false;
+  /// Scenes that it is not run through; `settings` says why.
+  std::span<const std::string_view> left_out{};
   bool finds_pairs = true;  ///< false for the limit that memory sets
   std::function<std::unique_ptr<Peer>()> make{};
 };

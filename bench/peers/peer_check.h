@@ -23,9 +23,9 @@ struct Mismatch {
 /// "3 pairs missing, 0 too many".
 std::string describe(const Mismatch& mismatch);
 
-/// How the pairs differ from those that the oracle finds: all boxes against all up to 10,000 of them, beyond
-/// that by cells.
-Mismatch compare_with_oracle(std::span<const Aabb> boxes, std::vector<Pair> pairs);
+/// How the pairs of the run's last frame differ from those that the oracle finds: all boxes against all up to
+/// 10,000 of them, beyond that by cells.
+Mismatch compare_with_oracle(const PeerRun& run);
 
 /// Runs the peer, untimed, over a few frames of the setting's scene, and compares each with all boxes against
 /// all. The sum over the frames.
@@ -39,7 +39,7 @@ struct PairSum {
   friend bool operator==(const PairSum&, const PairSum&) = default;
 };
 
-/// The oracle's, for a frame of a setting whose boxes are `boxes`; found once for each.
-PairSum oracle_sum(const PeerSetting& setting, std::size_t frame, std::span<const Aabb> boxes);
+/// The oracle's, for the last frame of a run of this setting; found once for each.
+PairSum oracle_sum(const PeerSetting& setting, const PeerRun& run);
 
 }  // namespace cellsweep::bench

@@ -25,6 +25,12 @@ std::vector<PeerInfo> make_table() {
   return peers;
 }
 
+std::string_view come_and_go(const PeerInfo& peer) {
+  if (peer.removes) return "taken out and entered singly";
+  return peer.remembers ? "it cannot take one out: all are entered anew, into a new one"
+                        : "all anew, as always";
+}
+
 }  // namespace
 
 std::span<const PeerInfo> peer_table() {
@@ -34,11 +40,12 @@ std::span<const PeerInfo> peer_table() {
 
 std::string peer_notes() {
   std::string notes =
-      "| name | threads | margin | built and called | what it finds |\n"
-      "|---|---|---|---|---|\n";
+      "| name | threads | margin | built and called | what it finds | bodies that come and go |\n"
+      "|---|---|---|---|---|---|\n";
   for (const PeerInfo& peer : peer_table()) {
     notes.append("| `").append(peer.name).append("`");
-    for (const std::string_view cell : {peer.threads, peer.margin, peer.settings, peer.exactness}) {
+    for (const std::string_view cell :
+         {peer.threads, peer.margin, peer.settings, peer.exactness, come_and_go(peer)}) {
       notes.append(" | ").append(cell);
     }
     notes.append(" |\n");

@@ -4,7 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "app/setting_flags.h"
 #include "base/text.h"
 #include "report/units.h"
 
@@ -53,6 +55,13 @@ CLI::Validator number(double least, double most) {
     if (read(value, number) && std::isfinite(number) && number >= least && number <= most)
       return std::string();
     return text("a number, ", range_text(least, most), ", is wanted, not \"", value, "\".");
+  });
+}
+
+CLI::Validator one_of(std::vector<std::string_view> words) {
+  return validator([words = std::move(words)](const std::string& value) {
+    if (std::find(words.begin(), words.end(), value) != words.end()) return std::string();
+    return text("one of ", names_text(words), " is wanted, not \"", value, "\".");
   });
 }
 

@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "cellsweep/status.h"
 
@@ -21,6 +22,9 @@ CLI::Validator count(std::uint64_t least = 0, std::uint64_t most = std::numeric_
 
 /// A finite number in a range, both ends included.
 CLI::Validator number(double least, double most = std::numeric_limits<double>::infinity());
+
+/// One of some words.
+CLI::Validator one_of(std::vector<std::string_view> words);
 
 /// Whether a file can be written as one of these, by its ending. Errors: bad_input.
 Status check_ending(const std::filesystem::path& file, std::initializer_list<std::string_view> endings);

@@ -17,12 +17,12 @@ struct Record {
 
   Result<Recording> make() const {
     if (!from.empty()) return read_recording(from);
-    auto world = make_scene(scene.settings);
-    if (!world) return world.status();
+    const auto bounds = scene_bounds(scene.settings);
+    if (!bounds) return bounds.status();
     auto source = make_scene_frames(scene.settings);
     if (!source) return source.status();
     WatchedFrames watched(**source, "record, frame", updates);
-    return record(watched, updates, world->bounds());
+    return record(watched, updates, *bounds);
   }
 
   ExitCode run() const {

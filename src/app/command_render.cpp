@@ -39,9 +39,9 @@ struct Render {
  private:
   Result<std::unique_ptr<FrameSource>> make_source(Aabb& world_bounds) const {
     if (file.empty()) {
-      const auto world = make_scene(scene.settings);
-      if (!world) return world.status();
-      world_bounds = world->bounds();
+      const auto bounds = scene_bounds(scene.settings);
+      if (!bounds) return bounds.status();
+      world_bounds = *bounds;
       return make_scene_frames(scene.settings);
     }
     auto recording = read_recording(file);

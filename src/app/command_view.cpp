@@ -58,11 +58,7 @@ struct View {
   // What draws the picture that the window would have shown last; it plays recordings again and again.
   std::string render_command() const {
     const std::size_t steps = window.frames.value_or(0);
-    const SceneSettings& s = scene.settings;
-    const std::string what =
-        file.empty() ? text("--scene ", s.scene, " --bodies ", s.bodies, " --moving ", s.moving, " --speed ",
-                            s.speed, s.spinning ? " --spinning" : "", " --seed ", s.seed)
-                     : "'" + file + "'";
+    const std::string what = file.empty() ? scene.text() : "'" + file + "'";
     const std::string out = window.screenshot.empty() ? "scene.png" : window.screenshot.string();
     return text("cellsweep render ", what, " --frame ",
                 recorded_frames == 0 ? steps : steps % recorded_frames, " --width ", window.width,

@@ -1,10 +1,42 @@
 #include "app/scene_flags.h"
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "app/checks.h"
+#include "base/text.h"
 
 namespace cellsweep::app {
+namespace {
+
+constexpr std::array kGiantSlots = {std::pair{std::string_view("none"), GiantSlot::none},
+                                    std::pair{std::string_view("first"), GiantSlot::first},
+                                    std::pair{std::string_view("middle"), GiantSlot::middle},
+                                    std::pair{std::string_view("last"), GiantSlot::last}};
+
+GiantSlot slot_of(std::string_view word) {
+  return std::find_if(kGiantSlots.begin(), kGiantSlots.end(),
+                      [&](const auto& one) { return one.first == word; })
+      ->second;
+}
+
+std::string_view word_of(GiantSlot slot) {
+  return std::find_if(kGiantSlots.begin(), kGiantSlots.end(),
+                      [&](const auto& one) { return one.second == slot; })
+      ->first;
+}
+
+std::vector<std::string_view> giant_words() {
+  std::vector<std::string_view> words;
+  for (const auto& [word, slot] : kGiantSlots) words.push_back(word);
+  return words;
+}
+
+}  // namespace
 
 void SceneFlags::add_to(CLI::App& command) {
   constexpr std::uint64_t kMostBodies = std::uint64_t{1} << 32;
@@ -25,18 +57,36 @@ void SceneFlags::add_to(CLI::App& command) {
       ->check(number(0, 1))
       ->type_name("SHARE")
       ->group(kGroup)
-      ->capture_default_str();
+      ->default_str("0.1, or the scene's own");
   command.add_option("--speed", settings.speed, "Factor on the scene's speeds")
       ->check(number(0, kTopSpeed))
       ->type_name("FACTOR")
       ->group(kGroup)
       ->capture_default_str();
   command.add_flag("--spinning", settings.spinning, "Moving bodies also turn")->group(kGroup);
+  command
+      .add_option_function<std::string>(
+          "--giant", [this](const std::string& word) { settings.giant = slot_of(word); },
+          "Which body is a giant, larger than the world (in scene pile: its plane)")
+      ->check(one_of(giant_words()))
+      ->type_name("none|first|middle|last")
+      ->group(kGroup)
+      ->default_str("none");
   command.add_option("--seed", settings.seed, "Seed; the same seed gives the same frames")
       ->check(count())
       ->type_name("N")
       ->group(kGroup)
       ->capture_default_str();
+}
+
+std::string SceneFlags::text() const {
+  const SceneSettings& s = settings;
+  return cellsweep::text(
+      "--scene ", s.scene, " --bodies ", s.bodies,
+      s.moving ? cellsweep::text(" --moving ", *s.moving) : std::string(), " --speed ", s.speed,
+      s.spinning ? " --spinning" : "",
+      s.giant == GiantSlot::none ? std::string() : cellsweep::text(" --giant ", word_of(s.giant)), " --seed ",
+      s.seed);
 }
 
 }  // namespace cellsweep::app

@@ -3,14 +3,18 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 #include "cellsweep/world/scene.h"
 
 namespace cellsweep::app {
 
-/// Adds --scene, --bodies, --moving, --speed, --spinning and --seed to a command.
+/// Adds --scene, --bodies, --moving, --speed, --spinning, --giant and --seed to a command.
 struct SceneFlags {
   void add_to(CLI::App& command);
+
+  /// The flags that make this scene.
+  std::string text() const;
 
   SceneSettings settings;
 };

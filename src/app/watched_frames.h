@@ -17,9 +17,13 @@ class WatchedFrames final : public FrameSource {
       : frames_(frames), progress_(std::move(what), updates) {}
 
   std::string name() const override { return frames_.name(); }
+  bool bodies_come_and_go() const override { return frames_.bodies_come_and_go(); }
   std::span<const Aabb> boxes() const override { return frames_.boxes(); }
+  std::span<const BodyId> bodies() const override { return frames_.bodies(); }
   std::span<const BodyPose> poses() const override { return frames_.poses(); }
   std::span<const BodyId> moved() const override { return frames_.moved(); }
+  std::span<const BodyId> inserted() const override { return frames_.inserted(); }
+  std::span<const BodyId> removed() const override { return frames_.removed(); }
   bool advance() override {
     if (report::is_interrupted() || !frames_.advance()) return false;
     progress_.show(++done_);

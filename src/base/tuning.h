@@ -89,9 +89,6 @@ inline constexpr std::uint32_t kVectorsOfSwept = 8;
 /// And than so many tests of boxes a body that find nothing.
 inline constexpr std::uint32_t kTestsOfSwept = 8;
 
-/// So many updates in a row that look at a few bodies are made without cells.
-inline constexpr unsigned kPartialsWithoutCells = 2;
-
 // --- candidates
 // -----------------------------------------------------------------------------------------------
 

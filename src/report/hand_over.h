@@ -14,11 +14,12 @@ enum class Shape { boxes, poses };
 /// What an engine with these settings wants.
 Shape shape_of(const SettingValues& settings);
 
-/// Hands all bodies of a source to an empty engine, as 0 … n − 1. Errors: those of the engine, and bad_input
-/// for poses of a source that knows none.
+/// Hands the bodies that are in the frame the source stands at to an empty engine. Errors: those of the
+/// engine, and bad_input for poses of a source that knows none.
 Status insert_all(Broadphase& engine, const FrameSource& source, Shape shape = Shape::boxes);
 
-/// Hands an engine the bodies that changed in the frame the source stands at.
-Status move_changed(Broadphase& engine, const FrameSource& source, Shape shape = Shape::boxes);
+/// Tells an engine which bodies went, came and moved in the frame the source stands at. Errors: those of the
+/// engine; what was told before one stays told.
+Status hand_over_changes(Broadphase& engine, const FrameSource& source, Shape shape = Shape::boxes);
 
 }  // namespace cellsweep::report

@@ -47,7 +47,7 @@ class Judge {
   explicit Judge(std::string_view engine) { report_.engine = engine; }
 
   /// What an engine says of the next frame: its pairs in any order, and what changed. `truth` is the oracle's
-  /// list of the boxes, ascending.
+  /// list, ascending; the boxes are by id.
   void compare(std::span<const Pair> said, const PairChanges& changes, const std::vector<Pair>& truth,
                std::span<const Aabb> boxes);
 

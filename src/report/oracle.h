@@ -9,6 +9,7 @@
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/pair.h"
+#include "cellsweep/world/frame_source.h"
 
 namespace cellsweep::report {
 
@@ -20,5 +21,11 @@ inline constexpr std::size_t kMostBodiesOfOracle = 20'000;
 
 /// Every overlapping pair of bodies 0 … n − 1, ascending. Boxes are valid.
 std::vector<Pair> oracle_pairs(std::span<const Aabb> boxes);
+
+/// The same of some bodies; the boxes are by id.
+std::vector<Pair> oracle_pairs(std::span<const BodyId> bodies, std::span<const Aabb> boxes);
+
+/// Of those that are in the frame a source stands at.
+std::vector<Pair> oracle_pairs(const FrameSource& source);
 
 }  // namespace cellsweep::report

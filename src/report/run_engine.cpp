@@ -27,7 +27,7 @@ class Run {
         settings_(settings),
         wanted_(settings.report_frames.begin(), settings.report_frames.end()) {
     report_.engine = engine.name();
-    report_.bodies = source.boxes().size();
+    report_.bodies = source.bodies().size();
   }
 
   Result<RunReport> run() {
@@ -51,7 +51,7 @@ class Run {
     Progress progress(report_.engine, settings_.updates);
     while (frame_ < settings_.updates && !is_interrupted() && source_.advance()) {
       ++frame_;
-      const auto time = timed([&] { return move_changed(engine_, source_, settings_.shape); });
+      const auto time = timed([&] { return hand_over_changes(engine_, source_, settings_.shape); });
       if (!time) return time.status();
       report_.update_ms.push_back(*time);
       progress.show(frame_);
@@ -72,10 +72,14 @@ class Run {
   void report_cell(const FrameTime& time) {
     const auto statistics = statistics_of_spes(engine_);
     if (!statistics || !statistics->time) return;
-    const std::size_t moved = frame_ == 0 ? report_.bodies : source_.moved().size();
-    report_.cell.push_back({frame_, moved, statistics->time->spes,
+    report_.cell.push_back({frame_, handed_over(), statistics->time->spes,
                             std::max(0.0, time.cpu_ms - statistics->time->set_aside_ms),
                             statistics->time->threads_started});
+  }
+
+  std::size_t handed_over() const {
+    if (frame_ == 0) return report_.bodies;
+    return source_.moved().size() + source_.inserted().size() + source_.removed().size();
   }
 
   void report_pairs() {

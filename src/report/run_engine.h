@@ -29,7 +29,7 @@ struct FrameReport {
 /// A frame on a Cell's clock.
 struct CellFrame {
   std::size_t frame = 0;
-  std::size_t moved = 0;         ///< bodies that were handed over
+  std::size_t moved = 0;         ///< bodies that were handed over, or taken back
   std::vector<SpeTime> spes;     ///< one an SPE
   double host_cpu_ms = 0;        ///< CPU time of the host's part, as measured on this machine
   bool threads_started = false;  ///< the frame started the SPE threads
@@ -42,7 +42,7 @@ struct CellFrame {
 /// the engine marks as set-up, which stand apart in `setup_ms`.
 struct RunReport {
   std::string engine;
-  std::size_t bodies = 0;
+  std::size_t bodies = 0;  ///< at frame 0
   double initial_ms = 0;
   double setup_ms = 0;
   std::vector<double> update_ms;  ///< one an update after frame 0

@@ -1,7 +1,6 @@
 #include "report/verify.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "report/interrupt.h"
 #include "report/oracle.h"
@@ -10,13 +9,13 @@
 namespace cellsweep::report {
 namespace {
 
-// The boxes that an engine made of all bodies.
-Result<std::vector<Aabb>> handed_out_boxes(const Broadphase& engine, std::size_t bodies) {
-  std::vector<BodyId> ids(bodies);
-  std::iota(ids.begin(), ids.end(), BodyId{0});
-  std::vector<Aabb> boxes(bodies);
-  if (Status status = engine.boxes(ids, boxes); !status.ok()) return status;
-  return boxes;
+// By id, the boxes that an engine made of the bodies that are there.
+Result<std::vector<Aabb>> handed_out_boxes(const Broadphase& engine, const FrameSource& source) {
+  std::vector<Aabb> boxes(source.bodies().size());
+  if (Status status = engine.boxes(source.bodies(), boxes); !status.ok()) return status;
+  std::vector<Aabb> by_id(source.boxes().size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) by_id[source.bodies()[i]] = boxes[i];
+  return by_id;
 }
 
 /// Engines and their judges, from frame to frame.
@@ -33,9 +32,9 @@ class Trial {
     return {};
   }
 
-  Status move() {
+  Status change() {
     for (FedEngine& fed : engines_) {
-      if (Status status = move_changed(fed.engine, source_, fed.shape); !status.ok()) return status;
+      if (Status status = hand_over_changes(fed.engine, source_, fed.shape); !status.ok()) return status;
     }
     return {};
   }
@@ -44,7 +43,7 @@ class Trial {
     const bool anyone_takes_boxes = std::any_of(
         engines_.begin(), engines_.end(), [](const FedEngine& fed) { return fed.shape == Shape::boxes; });
     std::vector<Pair> truth;
-    if (anyone_takes_boxes) truth = oracle_pairs(source_.boxes());
+    if (anyone_takes_boxes) truth = oracle_pairs(source_);
     for (std::size_t i = 0; i < engines_.size(); ++i) {
       if (Status status = judge(engines_[i], judges_[i], truth); !status.ok()) return status;
     }
@@ -65,9 +64,9 @@ class Trial {
       judge.compare(fed.engine.pairs(), *changes, truth, source_.boxes());
       return {};
     }
-    const auto boxes = handed_out_boxes(fed.engine, source_.boxes().size());
+    const auto boxes = handed_out_boxes(fed.engine, source_);
     if (!boxes) return boxes.status();
-    judge.compare(fed.engine.pairs(), *changes, oracle_pairs(*boxes), *boxes);
+    judge.compare(fed.engine.pairs(), *changes, oracle_pairs(source_.bodies(), *boxes), *boxes);
     return {};
   }
 
@@ -87,7 +86,7 @@ Result<std::vector<VerifyReport>> verify_engines(std::span<FedEngine> engines, F
     if (Status status = trial.judge_frame(); !status.ok()) return status;
     progress.show(frame);
     if (frame == updates || is_interrupted() || !source.advance()) break;
-    if (Status status = trial.move(); !status.ok()) return status;
+    if (Status status = trial.change(); !status.ok()) return status;
   }
   return trial.reports();
 }

@@ -12,9 +12,10 @@ BodyPose pose_of(const RigidBody& body) {
   return {{c.x(), c.y(), c.z()}, {h.x(), h.y(), h.z()}, {q.x(), q.y(), q.z(), q.w()}};
 }
 
-// Place and box of the one; course of the other, but for a body that had one.
+// Place and shape of the one; course of the other, but for a body that had one.
 void carry_over(const RigidBody& from, RigidBody& to) {
   to.position = from.position;
+  to.half_extents = from.half_extents;
   to.orientation = from.orientation;
   to.box = from.box;
   if (!from.dynamic || !to.dynamic) return;

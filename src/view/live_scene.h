@@ -18,7 +18,7 @@ class LiveScene final : public FrameSource {
   static Result<std::unique_ptr<LiveScene>> make(const SceneSettings& settings);
 
   const Aabb& bounds() const { return world_.bounds(); }
-  double moving() const { return settings_.moving; }
+  double moving() const { return moving_share(settings_); }
 
   /// From the next frame on this share of the bodies moves; all stay where they are, and who moved and still
   /// moves keeps its course. Errors, without a change: those of make_scene().
@@ -26,6 +26,7 @@ class LiveScene final : public FrameSource {
 
   std::string name() const override { return settings_.scene; }
   std::span<const Aabb> boxes() const override { return boxes_; }
+  std::span<const BodyId> bodies() const override { return world_.ids(); }
   std::span<const BodyPose> poses() const override { return poses_; }
   std::span<const BodyId> moved() const override { return world_.moved(); }
   bool advance() override;

@@ -14,6 +14,11 @@ std::optional<LocalStoreMap> find_local_store(const SimulationSettings& settings
   return map ? std::optional(std::move(*map)) : std::nullopt;
 }
 
+bool follows_a_script(const SceneSettings& settings) {
+  const SceneInfo* scene = find_scene(settings.scene);
+  return scene != nullptr && !scene->is_world;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Simulation>> Simulation::make(SimulationSettings settings) {
@@ -30,6 +35,11 @@ Status Simulation::begin(const SimulationSettings& settings) {
   if (settings.recording) {
     source = make_recording_frames(*settings.recording);
     bounds = report::stage_of(*settings.recording);
+  } else if (follows_a_script(settings.scene)) {
+    auto frames = make_scene_frames(settings.scene);
+    if (!frames) return frames.status();
+    bounds = *scene_bounds(settings.scene);
+    source = std::move(*frames);
   } else {
     auto scene = LiveScene::make(settings.scene);
     if (!scene) return scene.status();
@@ -65,7 +75,7 @@ Status Simulation::start_engine(const SimulationSettings& settings, const FrameS
 Status Simulation::step() {
   if (!source_->advance()) return restart();
   const auto frame =
-      report::time_frame(engine_, [&] { return report::move_changed(engine_, *source_, shape()); });
+      report::time_frame(engine_, [&] { return report::hand_over_changes(engine_, *source_, shape()); });
   if (!frame) return frame.status();
   ++frame_;
   frame_time_ = frame->time;
@@ -91,20 +101,29 @@ Status Simulation::use_bodies(std::size_t bodies) {
   if (bodies == 0) return Status::bad_option("bodies", "A scene without bodies shows nothing.");
   SimulationSettings wanted = settings_;
   wanted.scene.bodies = bodies;
-  Status status = begin(wanted);
-  if (status.ok()) frame_times_.clear();
-  return status;
+  return begin_with(wanted);
 }
 
 Status Simulation::use_moving(double share) {
   if (Status status = check_scene("share of moving bodies"); !status.ok()) return status;
+  if (live_ == nullptr) {
+    SimulationSettings wanted = settings_;
+    wanted.scene.moving = share;
+    return begin_with(wanted);
+  }
   if (Status status = live_->set_moving(share); !status.ok()) return status;
   settings_.scene.moving = share;
   return {};
 }
 
+Status Simulation::begin_with(const SimulationSettings& settings) {
+  Status status = begin(settings);
+  if (status.ok()) frame_times_.clear();
+  return status;
+}
+
 Status Simulation::check_scene(std::string_view what) const {
-  if (live_ != nullptr) return {};
+  if (!is_recording()) return {};
   return Status::bad_option("recording",
                             text("The ", what, " of a recording is what it is; only scenes change."));
 }

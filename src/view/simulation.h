@@ -48,15 +48,17 @@ class Simulation {
   /// those of the scene and of the engine.
   Status use_bodies(std::size_t bodies);
 
-  /// Another share of the bodies moves, 0 to 1. Errors: bad_option with a recording, those of the scene.
+  /// Another share of the bodies moves, 0 to 1; a scene that follows a script begins anew. Errors: bad_option
+  /// with a recording, those of the scene.
   Status use_moving(double share);
 
   bool is_recording() const { return settings_.recording != nullptr; }
   std::string source_name() const { return source_->name(); }
   const FrameSource& source() const { return *source_; }
   const Aabb& bounds() const { return bounds_; }
+  /// As many as there are ids; some may not be there now.
   std::size_t bodies() const { return source_->boxes().size(); }
-  double moving() const { return settings_.scene.moving; }
+  double moving() const { return moving_share(settings_.scene); }
   std::size_t frame() const { return frame_; }
 
   const std::string& engine_name() const { return settings_.engine; }
@@ -89,12 +91,13 @@ class Simulation {
   Status start_engine(const SimulationSettings& settings, const FrameSource& source);
   void note_pairs(const PairChanges& changes);
   void remember_time(double milliseconds);
+  Status begin_with(const SimulationSettings& settings);
   Status check_scene(std::string_view what) const;
   report::Shape shape() const;
 
   SimulationSettings settings_;
   std::unique_ptr<FrameSource> source_;
-  LiveScene* live_ = nullptr;  // source_, when it is a scene
+  LiveScene* live_ = nullptr;  // source_, when it is a scene that is a world
   Aabb bounds_;
   Broadphase engine_;
   report::FrameTime frame_time_;

@@ -43,7 +43,11 @@ void append_frame(Recording& recording, std::span<const Aabb> boxes) {
 
 }  // namespace
 
-Recording record(FrameSource& source, std::size_t updates, const Aabb& world) {
+Result<Recording> record(FrameSource& source, std::size_t updates, const Aabb& world) {
+  if (source.bodies_come_and_go()) {
+    return bad_recording("the bodies of " + source.name() +
+                         " come and go, and a recording has the same bodies in all frames");
+  }
   Recording recording;
   recording.name = source.name();
   recording.world = world;

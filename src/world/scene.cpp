@@ -2,73 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "world/random.h"
 #include "world/scene_recipes.h"
+#include "world/scene_settings.h"
+#include "world/scenes/scripted_scene.h"
 
 namespace cellsweep {
 namespace {
-
-constexpr std::uint64_t kMostBodies = std::uint64_t{1} << 32;
-constexpr double kTopSpeed = 1e6;
-
-std::string number_text(double number) {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
-}
-
-Status refuse(std::string message) {
-  return Status::bad_option({}, std::move(message));
-}
-
-Status refuse_scene(const std::string& name) {
-  std::string message = "There is no scene '" + name + "'; there are";
-  const char* separator = " ";
-  for (const SceneInfo& info : scene_table()) {
-    message.append(separator).append(info.name);
-    separator = ", ";
-  }
-  return refuse(message + ".");
-}
-
-Status check(const SceneSettings& settings) {
-  if (!(settings.moving >= 0 && settings.moving <= 1)) {
-    return refuse("moving is " + number_text(settings.moving) + "; the share of moving bodies is 0 to 1.");
-  }
-  if (!(settings.speed >= 0 && settings.speed <= kTopSpeed)) {
-    return refuse("speed is " + number_text(settings.speed) + "; the factor on speeds is 0 to 1,000,000.");
-  }
-  if (settings.bodies > kMostBodies) {
-    return refuse("bodies is " + std::to_string(settings.bodies) + "; 32-bit ids name 0 to " +
-                  std::to_string(kMostBodies) + ".");
-  }
-  return {};
-}
-
-const SceneRecipe* find_recipe(std::string_view name) {
-  const auto recipes = scene_recipes();
-  const auto found = std::find_if(recipes.begin(), recipes.end(),
-                                  [&](const SceneRecipe& recipe) { return recipe.info.name == name; });
-  return found == recipes.end() ? nullptr : &*found;
-}
-
-/// Exactly round(share · bodies) of the bodies, by the head of a shuffle: those of a smaller share are among
-/// those of a larger one.
-std::vector<bool> choose_movers(std::size_t bodies, double share, Random& random) {
-  const auto wanted = static_cast<std::size_t>(std::llround(share * static_cast<double>(bodies)));
-  std::vector<BodyId> deck(bodies);
-  for (std::size_t i = 0; i < bodies; ++i) deck[i] = static_cast<BodyId>(i);
-  std::vector<bool> moves(bodies, false);
-  for (std::size_t i = 0; i < wanted; ++i) {
-    std::swap(deck[i], deck[i + random.below(bodies - i)]);
-    moves[deck[i]] = true;
-  }
-  return moves;
-}
 
 /// A vector of the given length in a random direction, evenly spread: a point in the unit ball, stretched.
 Eigen::Vector3f random_vector(double length, Random& random) {
@@ -84,14 +28,29 @@ Eigen::Vector3f random_vector(double length, Random& random) {
   return vector;
 }
 
-void set_in_motion(RigidBody& body, const SceneSettings& settings, Random& random) {
-  constexpr double kEdgesPerFrame = 0.1;
+// The whole speed goes along the axes on which a body may move.
+Eigen::Vector3f random_velocity(double speed, const std::array<bool, 3>& axes, Random& random) {
+  Eigen::Vector3f free = random_vector(speed, random);
+  if (axes[0] && axes[1] && axes[2]) return free;
+  std::array<double, 3> kept{};
+  double square = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (axes[axis]) kept[axis] = static_cast<double>(free[static_cast<Eigen::Index>(axis)]);
+    square += kept[axis] * kept[axis];
+  }
+  const double stretch = square > 0 ? speed / std::sqrt(square) : 0;
+  return {static_cast<float>(kept[0] * stretch), static_cast<float>(kept[1] * stretch),
+          static_cast<float>(kept[2] * stretch)};
+}
+
+void set_in_motion(RigidBody& body, const Gait& gait, const SceneSettings& settings, Random& random) {
   constexpr double kRadiansPerFrame = 0.1;
   const Eigen::Vector3f& half = body.half_extents;
   const double shortest = 2 * static_cast<double>(std::min(half[0], std::min(half[1], half[2])));
   body.dynamic = true;
-  const double speed = kEdgesPerFrame * shortest * random.positive_unit() * settings.speed;
-  body.velocity = random_vector(speed, random);
+  const double share = gait.slowest_share + (1 - gait.slowest_share) * random.positive_unit();
+  const double speed = gait.fastest * shortest * share * settings.speed;
+  body.velocity = random_velocity(speed, gait.axes, random);
   if (!settings.spinning) return;
   const double rate = kRadiansPerFrame * random.positive_unit();
   body.angular_velocity = random_vector(rate, random);
@@ -106,36 +65,77 @@ RigidBody at_rest(const Placement& placement) {
   return body;
 }
 
+RigidBody giant_in(const Aabb& world) {
+  RigidBody body;
+  const Aabb box = giant_box(world);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<Eigen::Index>(axis);
+    body.position[k] = 0.5F * (box.min[axis] + box.max[axis]);
+    body.half_extents[k] = 0.5F * (box.max[axis] - box.min[axis]);
+  }
+  return body;
+}
+
+Aabb bounds_of(const SceneRecipe& recipe, std::size_t bodies) {
+  const auto edge = static_cast<float>(recipe.world_edge(static_cast<double>(bodies)));
+  return {{0, 0, 0}, {edge, edge, edge}};
+}
+
+double share_of_movers(const SceneRecipe& recipe, const SceneSettings& settings) {
+  if (recipe.movers == nullptr || settings.bodies == 0) return moving_share(settings);
+  return static_cast<double>(recipe.movers(settings.bodies)) / static_cast<double>(settings.bodies);
+}
+
+World make_world(const SceneRecipe& recipe, const SceneSettings& settings) {
+  const Aabb bounds = bounds_of(recipe, settings.bodies);
+  Random scene_random(settings.seed, recipe.stream);
+  const std::uint64_t bodies_seed = scene_random.next();
+  const double share = share_of_movers(recipe, settings);
+  const std::vector<bool> moves = choose_movers(settings.bodies, share, scene_random);
+  const auto giant = giant_body(settings.giant, settings.bodies);
+
+  World world(bounds);
+  for (std::size_t i = 0; i < settings.bodies; ++i) {
+    // A stream for each body, its place drawn first: who else moves or spins changes nothing here.
+    Random random(bodies_seed, i);
+    RigidBody body = at_rest(recipe.place({static_cast<BodyId>(i), bounds.max[0], moves[i]}, random));
+    if (moves[i]) set_in_motion(body, recipe.gait, settings, random);
+    world.add(giant == i ? giant_in(bounds) : body);
+  }
+  return world;
+}
+
 }  // namespace
 
 std::span<const SceneInfo> scene_table() {
   static const std::vector<SceneInfo> table = [] {
     std::vector<SceneInfo> infos;
     for (const SceneRecipe& recipe : scene_recipes()) infos.push_back(recipe.info);
+    for (const ScriptedScene& scene : scripted_scenes()) infos.push_back(scene.info);
     return infos;
   }();
   return table;
 }
 
+const SceneInfo* find_scene(std::string_view name) {
+  const auto table = scene_table();
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const SceneInfo& info) { return info.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
 Result<World> make_scene(const SceneSettings& settings) {
-  const SceneRecipe* recipe = find_recipe(settings.scene);
-  if (recipe == nullptr) return refuse_scene(settings.scene);
-  if (Status status = check(settings); !status.ok()) return status;
+  if (Status status = check_scene(settings); !status.ok()) return status;
+  if (const SceneRecipe* recipe = find_recipe(settings.scene)) return make_world(*recipe, settings);
+  return Status::bad_option({}, "Scene '" + settings.scene +
+                                    "' is no world of rigid bodies: its bodies follow a script, and only its "
+                                    "frames can be had (make_scene_frames).");
+}
 
-  const auto edge = static_cast<float>(recipe->world_edge(static_cast<double>(settings.bodies)));
-  Random scene_random(settings.seed, recipe->stream);
-  const std::uint64_t bodies_seed = scene_random.next();
-  const std::vector<bool> moves = choose_movers(settings.bodies, settings.moving, scene_random);
-
-  World world(Aabb{{0, 0, 0}, {edge, edge, edge}});
-  for (std::size_t i = 0; i < settings.bodies; ++i) {
-    // A stream for each body, its place drawn first: who else moves or spins changes nothing here.
-    Random random(bodies_seed, i);
-    RigidBody body = at_rest(recipe->place(static_cast<BodyId>(i), edge, random));
-    if (moves[i]) set_in_motion(body, settings, random);
-    world.add(body);
-  }
-  return world;
+Result<Aabb> scene_bounds(const SceneSettings& settings) {
+  if (Status status = check_scene(settings); !status.ok()) return status;
+  if (const SceneRecipe* recipe = find_recipe(settings.scene)) return bounds_of(*recipe, settings.bodies);
+  return make_script(settings)->bounds();
 }
 
 }  // namespace cellsweep

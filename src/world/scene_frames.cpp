@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "cellsweep/world/scene.h"
+#include "world/scene_settings.h"
+#include "world/scenes/scripted_scene.h"
 
 namespace cellsweep {
 namespace {
@@ -19,9 +21,9 @@ BodyPose pose_of(const RigidBody& body) {
 }
 
 /// A world in which nobody is added or removed, so that ids are places.
-class SceneFrames final : public FrameSource {
+class WorldFrames final : public FrameSource {
  public:
-  SceneFrames(std::string name, World world) : name_(std::move(name)), world_(std::move(world)) {
+  WorldFrames(std::string name, World world) : name_(std::move(name)), world_(std::move(world)) {
     boxes_.reserve(world_.size());
     poses_.reserve(world_.size());
     for (const RigidBody& body : world_.bodies()) {
@@ -32,6 +34,7 @@ class SceneFrames final : public FrameSource {
 
   std::string name() const override { return name_; }
   std::span<const Aabb> boxes() const override { return boxes_; }
+  std::span<const BodyId> bodies() const override { return world_.ids(); }
   std::span<const BodyPose> poses() const override { return poses_; }
   std::span<const BodyId> moved() const override { return world_.moved(); }
 
@@ -51,12 +54,54 @@ class SceneFrames final : public FrameSource {
   std::vector<BodyPose> poses_;
 };
 
+/// A script, and the bodies that follow it.
+class ScriptedFrames final : public FrameSource {
+ public:
+  ScriptedFrames(const SceneSettings& settings, const ScriptedScene& scene)
+      : name_(settings.scene),
+        come_and_go_(scene.bodies_come_and_go),
+        script_(make_script(settings)),
+        bodies_(settings.bodies,
+                giant_body(settings.giant == GiantSlot::none ? scene.giant : settings.giant, settings.bodies),
+                script_->giant()) {
+    script_->enter(bodies_);
+    bodies_.end_frame();
+    bodies_.begin_frame();
+  }
+
+  std::string name() const override { return name_; }
+  bool bodies_come_and_go() const override { return come_and_go_; }
+  std::span<const Aabb> boxes() const override { return bodies_.boxes(); }
+  std::span<const BodyId> bodies() const override { return bodies_.bodies(); }
+  std::span<const BodyId> moved() const override { return bodies_.moved(); }
+  std::span<const BodyId> inserted() const override { return bodies_.inserted(); }
+  std::span<const BodyId> removed() const override { return bodies_.removed(); }
+
+  bool advance() override {
+    bodies_.begin_frame();
+    script_->step(++frame_, bodies_);
+    bodies_.end_frame();
+    return true;
+  }
+
+ private:
+  std::string name_;
+  bool come_and_go_;
+  std::unique_ptr<SceneScript> script_;
+  SceneBodies bodies_;
+  std::size_t frame_ = 0;
+};
+
 }  // namespace
 
 Result<std::unique_ptr<FrameSource>> make_scene_frames(const SceneSettings& settings) {
+  if (Status status = check_scene(settings); !status.ok()) return status;
+  if (const ScriptedScene* scene = find_scripted(settings.scene)) {
+    return std::unique_ptr<FrameSource>(std::make_unique<ScriptedFrames>(settings, *scene));
+  }
   Result<World> world = make_scene(settings);
   if (!world) return world.status();
-  return std::unique_ptr<FrameSource>(std::make_unique<SceneFrames>(settings.scene, std::move(*world)));
+  return std::unique_ptr<FrameSource>(std::make_unique<WorldFrames>(settings.scene, std::move(*world)));
 }
 
 }  // namespace cellsweep

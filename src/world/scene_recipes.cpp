@@ -4,15 +4,16 @@
 #include <cmath>
 
 #include "world/arithmetic.h"
+#include "world/scenes/placing.h"
+#include "world/scenes/recipes.h"
 
 namespace cellsweep {
 namespace {
 
 constexpr double kSmallestWorld = 12;
-constexpr std::array<float, 3> kUnitCube = {1, 1, 1};
 
-/// A random place for a body between the floor and `height`. The margin of two float steps keeps box and
-/// world apart when the centre and the box are rounded.
+}  // namespace
+
 Placement put(const std::array<float, 3>& edges, float world_edge, float height, Random& random) {
   const double margin = 0x1p-22 * static_cast<double>(world_edge);
   Placement placement{edges, {}};
@@ -24,15 +25,17 @@ Placement put(const std::array<float, 3>& edges, float world_edge, float height,
   return placement;
 }
 
-/// Two cubes overlap when their centres lie in a cube of edge 2: one such volume a body, so that each
-/// overlaps about one other.
+// Two cubes overlap when their centres lie in a cube of edge 2: one such volume a body, so that each
+// overlaps about one other.
 double uniform_edge(double bodies) {
   return std::max(2 * cube_root(std::max(bodies, 1.0)), kSmallestWorld);
 }
 
-Placement place_cube(BodyId, float world_edge, Random& random) {
-  return put(kUnitCube, world_edge, world_edge, random);
+Placement place_cube(const Spot& spot, Random& random) {
+  return put(kUnitCube, spot.world_edge, spot.world_edge, random);
 }
+
+namespace {
 
 /// As uniform: 284.8 is the mean of (e + f)^3 over two log-uniform edges e and f.
 double varied_edge(double bodies) {
@@ -40,32 +43,32 @@ double varied_edge(double bodies) {
   return std::max(cube_root(std::max(284.8 * bodies, 1.0)), kRoomForTheLargest);
 }
 
-Placement place_varied(BodyId, float world_edge, Random& random) {
+Placement place_varied(const Spot& spot, Random& random) {
   const auto edge = static_cast<float>(0.1 * power(100, random.unit()));
-  return put({edge, edge, edge}, world_edge, world_edge, random);
+  return put({edge, edge, edge}, spot.world_edge, spot.world_edge, random);
 }
 
 double clustered_edge(double bodies) {
   return std::max(std::sqrt(0.72 * bodies), kSmallestWorld);
 }
 
-Placement place_clustered(BodyId, float world_edge, Random& random) {
+Placement place_clustered(const Spot& spot, Random& random) {
   constexpr float kLayerHeight = 5;
-  const float height = random.unit() < 0.9 ? kLayerHeight : world_edge;
-  return put(kUnitCube, world_edge, height, random);
+  const float height = random.unit() < 0.9 ? kLayerHeight : spot.world_edge;
+  return put(kUnitCube, spot.world_edge, height, random);
 }
 
-Placement place_wall(BodyId id, float world_edge, Random& random) {
+Placement place_wall(const Spot& spot, Random& random) {
   constexpr BodyId kOneSheetIn = 100;
   constexpr BodyId kSheet = 17;
-  if (id % kOneSheetIn != kSheet) return place_cube(id, world_edge, random);
+  if (spot.id % kOneSheetIn != kSheet) return place_cube(spot, random);
   const int thin = static_cast<int>(random.below(3));
   std::array<float, 3> edges = kUnitCube;
   for (int axis = 0; axis < 3; ++axis) {
     if (axis != thin)
-      edges[axis] = static_cast<float>(random.between(0.1, 0.5) * static_cast<double>(world_edge));
+      edges[axis] = static_cast<float>(random.between(0.1, 0.5) * static_cast<double>(spot.world_edge));
   }
-  return put(edges, world_edge, world_edge, random);
+  return put(edges, spot.world_edge, spot.world_edge, random);
 }
 
 /// The shortest side of a cubic lattice with room for all.
@@ -76,11 +79,11 @@ double touch_edge(double bodies) {
 }
 
 /// Rows along x fill layers, layers go up; every coordinate of a box is a whole number.
-Placement place_touch(BodyId id, float world_edge, Random&) {
-  const auto side = static_cast<BodyId>(world_edge);
-  const BodyId column = id % side;
-  const BodyId row = id / side % side;
-  const BodyId layer = id / side / side;
+Placement place_touch(const Spot& spot, Random&) {
+  const auto side = static_cast<BodyId>(spot.world_edge);
+  const BodyId column = spot.id % side;
+  const BodyId row = spot.id / side % side;
+  const BodyId layer = spot.id / side / side;
   const auto middle = [](BodyId cell) { return static_cast<float>(cell) + 0.5F; };
   return {kUnitCube, {middle(column), middle(layer), middle(row)}};
 }
@@ -90,33 +93,47 @@ double paper_edge(double) {
   return 20;
 }
 
-constexpr std::array kRecipes = {
-    SceneRecipe{
-        {"uniform", "unit cubes spread evenly, about one overlap for each"}, 1, uniform_edge, place_cube},
-    SceneRecipe{
-        {"varied", "cubes of edges 0.1 to 10, as many of each order of size"}, 2, varied_edge, place_varied},
-    SceneRecipe{{"clustered", "unit cubes, 90 % of them in a layer of height 5 on the floor"},
-                3,
-                clustered_edge,
-                place_clustered},
-    SceneRecipe{{"wall", "unit cubes and 1 % thin sheets that cover 10 to 50 % of the world on two axes"},
-                4,
-                uniform_edge,
-                place_wall},
-    SceneRecipe{{"touch", "a lattice of unit cubes that touch at faces, edges and corners"},
-                5,
-                touch_edge,
-                place_touch},
-    SceneRecipe{{"paper", "unit cubes in the same world of edge 20 whatever their number (chapter 3.2.3)"},
-                6,
-                paper_edge,
-                place_cube},
-};
-
 }  // namespace
 
 std::span<const SceneRecipe> scene_recipes() {
-  return kRecipes;
+  static const std::array recipes = {
+      SceneRecipe{
+          {"uniform", "unit cubes spread evenly, about one overlap for each"}, 1, uniform_edge, place_cube},
+      SceneRecipe{{"varied", "cubes of edges 0.1 to 10, as many of each order of size"},
+                  2,
+                  varied_edge,
+                  place_varied},
+      SceneRecipe{{"clustered", "unit cubes, 90 % of them in a layer of height 5 on the floor"},
+                  3,
+                  clustered_edge,
+                  place_clustered},
+      SceneRecipe{{"wall", "unit cubes and 1 % thin sheets that cover 10 to 50 % of the world on two axes"},
+                  4,
+                  uniform_edge,
+                  place_wall},
+      SceneRecipe{{"touch", "a lattice of unit cubes that touch at faces, edges and corners"},
+                  5,
+                  touch_edge,
+                  place_touch},
+      SceneRecipe{{"paper", "unit cubes in the same world of edge 20 whatever their number (chapter 3.2.3)"},
+                  6,
+                  paper_edge,
+                  place_cube},
+      level_recipe(),
+      bullets_recipe(),
+      swarm_recipe(),
+      sleepers_recipe(),
+      dust_recipe(),
+      axis_recipe(),
+  };
+  return recipes;
+}
+
+const SceneRecipe* find_recipe(std::string_view name) {
+  const auto recipes = scene_recipes();
+  const auto found = std::find_if(recipes.begin(), recipes.end(),
+                                  [&](const SceneRecipe& recipe) { return recipe.info.name == name; });
+  return found == recipes.end() ? nullptr : &*found;
 }
 
 }  // namespace cellsweep

@@ -73,6 +73,9 @@ TEST(CellCommand, MakesBoxesOnTheSpusThatAreVerifiedAsTheyAre) {
     EXPECT_EQ(result.exit_code, 0) << result.output << result.errors;
     EXPECT_THAT(result.output, HasSubstr("exact"));
   }
+  const CommandResult no_poses = run_command("verify --engine cell-resident --spu-boxes --scene pile");
+  EXPECT_EQ(no_poses.exit_code, 2);
+  EXPECT_THAT(no_poses.errors, HasSubstr("has boxes only"));
   const std::string local_store = "local-store --engine cell-resident --bodies 100";
   EXPECT_THAT(run_command(local_store + " --spu-boxes").output, HasSubstr("intervals of poses"));
   EXPECT_THAT(run_command(local_store).output, Not(HasSubstr("poses")));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cellsweep/engines.h"
+#include "cellsweep/world/scene.h"
 #include "command_line.h"
 
 namespace cellsweep::app {
@@ -83,6 +84,28 @@ TEST(Command, RecordsASceneThatReplaysToTheSamePairs) {
     const CommandResult replayed = run_command("replay --json --engine control " + scratch.path(file));
     ASSERT_EQ(replayed.exit_code, 0) << replayed.errors;
     EXPECT_EQ(Json::parse(replayed.output)["engines"][0]["reports"], simulated["engines"][0]["reports"]);
+  }
+}
+
+TEST(Command, RunsAndVerifiesAWorldWhoseBodiesComeAndGo) {
+  const std::string scene = " --scene open-world --bodies 600 --frames 40 --json";
+  const CommandResult verified = run_command("verify" + scene);
+  ASSERT_EQ(verified.exit_code, 0) << verified.errors;
+  const CommandResult simulated = run_command("simulate --report-frames 8,16,40" + scene);
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
+  const Json engines = Json::parse(simulated.output)["engines"];
+  for (const Json& engine : engines) EXPECT_EQ(engine["reports"], engines[0]["reports"]);
+  EXPECT_LT(engines[0]["reports"][0]["pairs"], engines[0]["reports"][1]["pairs"]) << "8 of 64 batches went";
+}
+
+TEST(Command, VerifiesEverySceneWithAGiantInEachPlace) {
+  for (const SceneInfo& scene : scene_table()) {
+    for (const std::string slot : {"first", "middle", "last"}) {
+      const CommandResult result =
+          run_command("verify --engine stream,control --bodies 120 --frames 12 --giant " + slot +
+                      " --scene " + std::string(scene.name));
+      EXPECT_EQ(result.exit_code, 0) << scene.name << ' ' << slot << '\n' << result.output << result.errors;
+    }
   }
 }
 
@@ -169,6 +192,12 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"UnknownEngine", "simulate --engine nosuch", 2,
                 "There is no engine \"nosuch\"; there are: control"},
         Refusal{"UnknownScene", "simulate --scene nosuch", 2, "nosuch"},
+        Refusal{"MovingOfSleepers", "simulate --scene sleepers --moving 0.5", 2, "leave moving out"},
+        Refusal{"SpinningScript", "simulate --scene stacks --spinning", 2, "leave spinning out"},
+        Refusal{"GiantNowhere", "simulate --giant second", 2,
+                "--giant: one of none, first, middle, last is wanted, not \"second\""},
+        Refusal{"RecordedComeAndGo", "record --scene open-world --out open.npy", 2,
+                "the bodies of open-world come and go"},
         Refusal{"MovingAboveOne", "simulate --moving 1.5", 2, "1.5"},
         Refusal{"ReportFrameNotReached", "simulate --frames 3 --report-frames 9", 2, "the last frame is 3"},
         Refusal{"MissingFile", "replay /no/such/file.aabbs", 2, "/no/such/file.aabbs"},

@@ -144,6 +144,14 @@ TEST_F(RenderCommand, DrawsASequenceWhosePicturesAreThoseOfItsFrames) {
   EXPECT_THAT(contents(scratch_.path("film/00001.png")), IsEmpty());
 }
 
+TEST_F(RenderCommand, DrawsTheBodiesThatAreThere) {
+  const std::string open_world = "render --scene open-world --out " + scratch_.path("at.png") + kSmall;
+  ASSERT_EQ(run_command(open_world + " --frame 0").exit_code, 0);
+  const std::string whole = contents(scratch_.path("at.png"));
+  ASSERT_EQ(run_command(open_world + " --frame 8").exit_code, 0);
+  EXPECT_NE(contents(scratch_.path("at.png")), whole);
+}
+
 TEST_F(RenderCommand, DrawsRecordings) {
   const CommandResult result =
       run_command("render " CELLSWEEP_SOURCE_DIR

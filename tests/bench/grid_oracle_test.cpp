@@ -28,6 +28,14 @@ TEST(GridOracle, EqualsAllAgainstAllOnEveryScene) {
   }
 }
 
+TEST(GridOracle, EqualsAllAgainstAllBesideGiants) {
+  for (const GiantSlot giant : {GiantSlot::first, GiantSlot::last}) {
+    const auto source = std::move(*make_scene_frames({.scene = "dust", .bodies = 900, .giant = giant}));
+    const std::vector<Aabb> boxes(source->boxes().begin(), source->boxes().end());
+    EXPECT_EQ(sorted_grid_pairs(boxes), report::oracle_pairs(boxes));
+  }
+}
+
 TEST(GridOracle, EqualsAllAgainstAllOnEveryKindOfBoxes) {
   contract::Random random(7);
   for (const contract::BoxKind& kind : contract::box_kinds()) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "bench/peers/chart/pages.h"
 #include "bench/peers/chart/ratios.h"
 #include "bench/peers/chart/tables.h"
+#include "bench/peers/peer_mode.h"
 #include "report/text_file.h"
 
 namespace cellsweep::bench {
@@ -117,9 +119,40 @@ TEST(PeerTables, SayTheMeanTheSmallestRatioAndWhoWasNotExact) {
 TEST(PeerTables, HaveARowForEachCell) {
   const std::string table = cells_markdown(results_of(two_cells()));
   EXPECT_THAT(table,
-              HasSubstr("| uniform | 1,000 | all new | 0 | 10.0 µs | `quick` | 40.0 µs | 4.0 | 2.0 |"));
-  EXPECT_THAT(table, HasSubstr("| wall | 1,000 | all new | 0 | 100 µs | `slow` | 900 µs | 9.0 |  |"));
+              HasSubstr("| uniform | 1,000 | all new | 0 | 10.0 µs |  | `quick` | 40.0 µs |  | 4.0 | 2.0 |"));
+  EXPECT_THAT(table, HasSubstr("| wall | 1,000 | all new | 0 | 100 µs |  | `slow` | 900 µs |  | 9.0 |  |"));
   EXPECT_THAT(times_csv(results_of(two_cells())), HasSubstr("uniform,1000,initial,wrong,"));
+}
+
+TEST(PeerTables, ShowMeansAndPercentilesBesideMedians) {
+  const PeerResults results =
+      results_of(row("peers/stream/open-world/1000/own", 10, R"(, "mean": 12, "p99": 31)") +
+                 row("peers/quick/open-world/1000/own", 40, R"(, "mean": 44, "p99": 50)"));
+  EXPECT_THAT(
+      cells_markdown(results),
+      HasSubstr("| open-world | 1,000 | as the scene moves | 0 | 10.0 µs | 12.0 µs, 31.0 µs | `quick` | "
+                "40.0 µs | 44.0 µs, 50.0 µs | 4.0 |  |"));
+  EXPECT_THAT(times_csv(results), HasSubstr("open-world,1000,own,quick,4e-05,4.4e-05,5e-05,"));
+  EXPECT_THAT(summary_markdown(results), HasSubstr("(open-world, `quick`)"));
+}
+
+TEST(PeerResults, SayWhereTheGiantStood) {
+  PeerResults results;
+  ASSERT_TRUE(
+      add_results(R"({"context": {"cpu": "a Cell", "giant": "last"}, "benchmarks": []})", results).ok());
+  EXPECT_THAT(results.machine, HasSubstr("with a giant (last): a Cell"));
+}
+
+TEST(PeerChart, OfASceneWithAMotionOfItsOwnHasTwoPanels) {
+  const PeerResults results =
+      results_of(row("peers/stream/pile/1000/own", 10) + row("peers/stream/pile/1000/initial", 20));
+  const auto pile = static_cast<std::size_t>(std::find(kPeerScenes.begin(), kPeerScenes.end(), "pile") -
+                                             kPeerScenes.begin());
+  const std::string script = chart_script(results, pile, "pile");
+  EXPECT_THAT(script, HasSubstr("layout 1,3"));
+  EXPECT_THAT(script, HasSubstr("set title 'as the scene moves'"));
+  EXPECT_THAT(script, HasSubstr("set title 'all new'"));
+  EXPECT_THAT(script, Not(HasSubstr("'all move'")));
 }
 
 TEST(PeerTables, ShowHowEvenTheFramesAre) {

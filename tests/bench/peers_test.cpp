@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 #include "bench/peers/peer_check.h"
 #include "bench/peers/peer_table.h"
 #include "contract/effort.h"
+#include "world/scene_probe.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -26,21 +28,33 @@ TEST(Peers, FindExactlyThePairsInEverySceneAndMode) {
   const std::size_t frames = contract::effort(4, 2, 2);
   for (const PeerInfo& peer : peer_table()) {
     if (!peer.finds_pairs) continue;
-    for (const std::string_view scene : kPeerScenes) {
+    for (std::size_t scene = 0; scene < kPeerScenes.size(); ++scene) {
+      const std::string name(kPeerScenes[scene]);
       for (const PeerModeInfo& mode : kPeerModes) {
-        const Mismatch mismatch = check_peer(peer, {std::string(scene), bodies, mode.mode}, frames);
-        EXPECT_TRUE(mismatch.none()) << peer.name << ", " << scene << ", " << mode.name << ": "
+        if (!has_rows(peer, scene, mode.mode)) continue;
+        const Mismatch mismatch = check_peer(peer, {name, bodies, mode.mode}, frames);
+        EXPECT_TRUE(mismatch.none()) << peer.name << ", " << name << ", " << mode.name << ": "
                                      << describe(mismatch);
       }
     }
   }
 }
 
+PeerInfo peer_of(std::string_view name) {
+  return *std::find_if(peer_table().begin(), peer_table().end(),
+                       [&](const PeerInfo& peer) { return peer.name == name; });
+}
+
+std::size_t place_of(std::string_view scene) {
+  return static_cast<std::size_t>(std::find(kPeerScenes.begin(), kPeerScenes.end(), scene) -
+                                  kPeerScenes.begin());
+}
+
 /// Leaves out one pair and lists another twice.
 class WrongPeer final : public Peer {
  public:
   void insert(std::span<const Aabb> boxes) override { boxes_ = boxes; }
-  void update(std::span<const Aabb>, std::span<const BodyId>) override {}
+  void update(std::span<const Aabb>, const PeerChanges&) override {}
   void list_pairs(std::vector<Pair>& pairs) override {
     pairs.clear();
     for (BodyId a = 0; a < boxes_.size(); ++a) {
@@ -65,13 +79,9 @@ TEST(PeerCheck, CountsWhatIsMissingAndWhatIsListedTwice) {
 }
 
 TEST(Peers, MayHaveIdsOfTheirOwnThatStandForTheSameBodies) {
-  const auto of = [](std::string_view name) {
-    return *std::find_if(peer_table().begin(), peer_table().end(),
-                         [&](const PeerInfo& peer) { return peer.name == name; });
-  };
   const PeerSetting setting{"clustered", 200, PeerMode::dyn100};
-  const PeerInfo dense_info = of("stream");
-  const PeerInfo scattered_info = of("stream_scattered");
+  const PeerInfo dense_info = peer_of("stream");
+  const PeerInfo scattered_info = peer_of("stream_scattered");
   PeerRun dense(dense_info, setting);
   PeerRun scattered(scattered_info, setting);
   for (int frame = 0; frame < 3; ++frame) {
@@ -84,12 +94,53 @@ TEST(Peers, MayHaveIdsOfTheirOwnThatStandForTheSameBodies) {
   }
 }
 
-TEST(PeerCheck, SumsUpTheOraclesPairs) {
-  const std::vector<Aabb> boxes(4, Aabb{{0, 0, 0}, {1, 1, 1}});
-  const PairSum sum = oracle_sum({"uniform", 4, PeerMode::dyn10}, 1, boxes);
-  EXPECT_EQ(sum.pairs, 6U);
-  EXPECT_EQ(sum, oracle_sum({"uniform", 4, PeerMode::dyn10}, 1, boxes));
-  EXPECT_NE(sum, oracle_sum({"uniform", 4, PeerMode::dyn10}, 2, std::span(boxes).first(3)));
+TEST(PeerCheck, SumsUpTheOraclesPairsOfEachFrame) {
+  const PeerInfo info = peer_of("stream");
+  const PeerSetting setting{"uniform", 300, PeerMode::dyn100};
+  PeerRun run(info, setting);
+  std::set<std::uint64_t> hashes;
+  for (int frame = 0; frame < 3; ++frame) {
+    run.next_frame();
+    const PairSum sum = oracle_sum(setting, run);
+    EXPECT_EQ(sum, (PairSum{run.pairs().size(), pair_set_hash(run.pairs())}));
+    EXPECT_EQ(sum, oracle_sum(setting, run));
+    hashes.insert(sum.hash);
+  }
+  EXPECT_EQ(hashes.size(), 3U);
+}
+
+TEST(Peers, AreExactWithAGiantInEachPlace) {
+  for (const PeerInfo& peer : peer_table()) {
+    if (!peer.finds_pairs) continue;
+    for (const GiantSlot giant : {GiantSlot::first, GiantSlot::middle, GiantSlot::last}) {
+      for (const std::string scene : {"uniform", "pile", "open-world"}) {
+        const PeerMode mode = scene == "uniform" ? PeerMode::dyn10 : PeerMode::own;
+        if (!has_rows(peer, place_of(scene), mode)) continue;
+        const Mismatch mismatch = check_peer(peer, {scene, 100, mode, giant}, 3);
+        EXPECT_TRUE(mismatch.none()) << peer.name << ", " << scene << ": " << describe(mismatch);
+      }
+    }
+  }
+}
+
+TEST(Peers, AreExactWhereBodiesComeAndGo) {
+  for (const PeerInfo& peer : peer_table()) {
+    if (!peer.finds_pairs || !has_rows(peer, place_of("open-world"), PeerMode::own)) continue;
+    const Mismatch mismatch = check_peer(peer, {"open-world", 200, PeerMode::own}, 40);
+    EXPECT_TRUE(mismatch.none()) << peer.name << ": " << describe(mismatch);
+  }
+}
+
+TEST(PeerRun, GoesThroughManyWorldsWhenAllBodiesAreNew) {
+  const PeerInfo info = peer_of("stream");
+  PeerRun run(info, {"uniform", 50, PeerMode::initial});
+  std::set<std::uint64_t> hashes;
+  for (std::size_t frame = 0; frame < 2 * kManyWorlds; ++frame) {
+    run.next_frame();
+    EXPECT_EQ(run.key().seed, frame % kManyWorlds + 1);
+    hashes.insert(test::bits_hash(run.boxes()));
+  }
+  EXPECT_EQ(hashes.size(), kManyWorlds);
 }
 
 TEST(PeerRun, MovesAsManyBodiesAsTheModeSays) {

@@ -2,7 +2,9 @@
 /// Frames and an engine made by hand for the tests of the reports.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,25 @@ inline FakeFrames meeting_cubes() {
   const Aabb away{{5, 0, 0}, {6, 1, 1}};
   return FakeFrames({{at_zero, beside}, {at_zero, away}, {at_zero, beside}});
 }
+
+/// Two unit cubes that overlap at frame 0; at frame 1 the second is gone.
+class LeavingCube final : public FrameSource {
+ public:
+  std::string name() const override { return "leaving"; }
+  bool bodies_come_and_go() const override { return true; }
+  std::span<const Aabb> boxes() const override { return kBoxes; }
+  std::span<const BodyId> bodies() const override { return std::span(kIds).first(has_left_ ? 1 : 2); }
+  std::span<const BodyId> moved() const override { return {}; }
+  std::span<const BodyId> removed() const override { return std::span(kIds).last(has_left_ ? 1 : 0); }
+  bool advance() override { return !std::exchange(has_left_, true); }
+
+ private:
+  static constexpr std::array<Aabb, 2> kBoxes = {Aabb{{0, 0, 0}, {1, 1, 1}},
+                                                 Aabb{{0.5F, 0, 0}, {1.5F, 1, 1}}};
+  static constexpr std::array<BodyId, 2> kIds = {0, 1};
+
+  bool has_left_ = false;
+};
 
 /// An engine that says whatever it was told to say, frame by frame, and claims to have taken long.
 class FakeEngine final : public Engine {

@@ -52,6 +52,36 @@ std::shared_ptr<const Recording> meeting() {
       "meeting", "boxes", Aabb{{0, 0, 0}, {6, 6, 6}}, 2, {still, apart, still, near, still, apart}});
 }
 
+TEST(Simulation, ShowsAScriptWhoseBodiesComeAndGo) {
+  SimulationSettings settings = scene(0);
+  settings.scene = {.scene = "open-world", .bodies = 600};
+  const auto simulation = made(settings);
+  const auto frames = std::move(*make_scene_frames(settings.scene));
+  for (int frame = 0; frame < 20; ++frame) {
+    step(*simulation, 1);
+    ASSERT_TRUE(frames->advance());
+    EXPECT_EQ(boxes_of(simulation->source()), boxes_of(*frames));
+    EXPECT_EQ(simulation->engine().pairs().size(), report::oracle_pairs(*frames).size());
+  }
+  ASSERT_TRUE(simulation->use_engine("control").ok());
+  EXPECT_EQ(simulation->engine().pairs().size(), report::oracle_pairs(*frames).size());
+  EXPECT_THAT(drawn_boxes(*simulation), SizeIs(frames->bodies().size() + 12));
+}
+
+TEST(Simulation, BeginsAScriptAnewWhenAnotherShareOfItMoves) {
+  SimulationSettings settings = scene(0);
+  settings.scene = {.scene = "ragdolls", .bodies = 240};
+  const auto simulation = made(settings);
+  EXPECT_EQ(simulation->moving(), 0.01);
+  step(*simulation, 3);
+  ASSERT_TRUE(simulation->use_moving(1).ok());
+  EXPECT_EQ(simulation->frame(), 0U);
+  step(*simulation, 1);
+  EXPECT_EQ(simulation->source().moved().size(), 240U);
+  EXPECT_EQ(simulation->use_moving(2).code, StatusCode::bad_option);
+  EXPECT_EQ(simulation->moving(), 1);
+}
+
 TEST(Simulation, ShowsTheFramesOfTheScene) {
   const SimulationSettings settings = scene(50);
   const auto simulation = made(settings);

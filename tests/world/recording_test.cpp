@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "cellsweep/pair.h"
+#include "cellsweep/world/scene.h"
 #include "world/recording_matchers.h"
 
 namespace cellsweep {
@@ -113,7 +114,7 @@ TEST(RecordingFrames, ARecordingOfNoBodiesHasOneEmptyFrame) {
 TEST(Record, AllUpdatesAskedForAreStoredAfterFrameZero) {
   const Recording whole = three_frames();
   const auto frames = make_recording_frames(whole);
-  const Recording recorded = record(*frames, 1, whole.world);
+  const Recording recorded = *record(*frames, 1, whole.world);
   EXPECT_EQ(recorded.name, "three");
   EXPECT_EQ(recorded.world, whole.world);
   EXPECT_EQ(recorded.bodies, 2U);
@@ -123,7 +124,14 @@ TEST(Record, AllUpdatesAskedForAreStoredAfterFrameZero) {
 TEST(Record, ASourceThatEndsEarlyGivesWhatItHas) {
   const Recording whole = three_frames();
   const auto frames = make_recording_frames(whole);
-  EXPECT_EQ(record(*frames, 1000, whole.world).boxes, whole.boxes);
+  EXPECT_EQ(record(*frames, 1000, whole.world)->boxes, whole.boxes);
+}
+
+TEST(Record, ASourceWhoseBodiesComeAndGoIsRefusedInWords) {
+  const auto frames = std::move(*make_scene_frames({.scene = "open-world", .bodies = 10}));
+  const Status status = record(*frames, 1, {}).status();
+  EXPECT_EQ(status.code, StatusCode::bad_input);
+  EXPECT_THAT(status.message, HasSubstr("the bodies of open-world come and go"));
 }
 
 /// Tests that write: each in an empty folder of its own, below the folder the test runs in.

@@ -2,6 +2,8 @@
 
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cellsweep/world/scene.h"
 #include "scene_probe.h"
@@ -49,6 +51,27 @@ INSTANTIATE_TEST_SUITE_P(
                       Golden{"touch", "175901aeb3ec072d", "2f1028f6e33ec7e3", "8d83261c05997417"},
                       Golden{"paper", "d2be93a3e6ed40d0", "477f9a306590a9e5", "5de3332b51d865e2"}),
     [](const auto& test) { return test.param.scene; });
+
+/// As above, of the scenes whose bodies follow a script, or move as the scene says.
+TEST(SceneBits, OfScenesWithAMotionOfTheirOwnAreTheSameEverywhere) {
+  const auto hash_of = [](const std::string& scene) {
+    auto frames = std::move(*make_scene_frames({.scene = scene, .bodies = 500, .seed = 7}));
+    for (int update = 0; update < 100; ++update) EXPECT_TRUE(frames->advance());
+    std::vector<Aabb> boxes;
+    for (const BodyId id : frames->bodies()) boxes.push_back(frames->boxes()[id]);
+    return hash_text(test::bits_hash(boxes));
+  };
+  EXPECT_EQ(hash_of("level"), "00db3297f57f448e");
+  EXPECT_EQ(hash_of("bullets"), "360a1376f2517a93");
+  EXPECT_EQ(hash_of("swarm"), "45bc7c90f660170e");
+  EXPECT_EQ(hash_of("sleepers"), "31ecfac0db214309");
+  EXPECT_EQ(hash_of("dust"), "aef0b98e2eae37a3");
+  EXPECT_EQ(hash_of("axis"), "8f8135d8cb020547");
+  EXPECT_EQ(hash_of("stacks"), "ad1617ec24d0f7d5");
+  EXPECT_EQ(hash_of("pile"), "fb6817640e1e7fd1");
+  EXPECT_EQ(hash_of("ragdolls"), "ce7614d86a21e245");
+  EXPECT_EQ(hash_of("open-world"), "ddad2aca0dbf51cc");
+}
 
 }  // namespace
 }  // namespace cellsweep

@@ -2,6 +2,7 @@
 /// What the tests of worlds and scenes look at: boxes as bits, and pairs counted the slow way.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,9 @@ inline std::uint64_t bits_hash(std::span<const Aabb> boxes) {
   }
   return hash;
 }
+
+/// The scenes in which bodies are placed without regard to who moves, and all move as the settings say.
+inline constexpr std::array kPlainScenes = {"uniform", "varied", "clustered", "wall", "touch", "paper"};
 
 inline std::size_t count_pairs(std::span<const Aabb> boxes) {
   std::size_t pairs = 0;

@@ -46,7 +46,7 @@ TEST(SceneRecipes, ABodyAtTheVeryEndOfItsRoomIsInsideTheWorldAfterRounding) {
     // A sheet draws its thin axis and two edges; then come x, y and z.
     for (std::uint64_t axis = 0; axis < 3; ++axis) {
       Random random = largest_at(4 + axis);
-      const Placement placement = recipe_of("wall").place(kSheet, edge, random);
+      const Placement placement = recipe_of("wall").place({kSheet, edge, false}, random);
       const float end = placement.centre[axis] + 0.5F * placement.edges[axis];
       EXPECT_LE(end, edge);
       EXPECT_GT(end, edge - 0.001F) << "the draw was not at the end of the room";

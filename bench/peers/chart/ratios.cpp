@@ -16,15 +16,15 @@ std::vector<CellRatio> ratios_of(const PeerResults& results) {
     if (stream == times.end()) continue;
     CellRatio ratio;
     ratio.cell = cell;
-    ratio.stream = stream->second.seconds;
+    ratio.stream = stream->second;
     ratio.pairs = stream->second.pairs;
     if (const auto memory = times.find("memory"); memory != times.end())
       ratio.memory = memory->second.seconds;
     for (const auto& [peer, time] : times) {
       if (!is_other(peer) || !time.exact()) continue;
-      if (!ratio.best.empty() && time.seconds >= ratio.best_seconds) continue;
+      if (!ratio.best.empty() && time.seconds >= ratio.best_time.seconds) continue;
       ratio.best = peer;
-      ratio.best_seconds = time.seconds;
+      ratio.best_time = time;
     }
     if (!ratio.best.empty()) ratios.push_back(ratio);
   }

@@ -18,13 +18,13 @@ bool is_other(std::string_view peer);
 struct CellRatio {
   CellKey cell;
   double pairs = 0;
-  double stream = 0;  ///< seconds
-  std::string best;   ///< the fastest of the exact others
-  double best_seconds = 0;
+  PeerTime stream;
+  std::string best;  ///< the fastest of the exact others
+  PeerTime best_time;
   double memory = 0;  ///< seconds of the limit that memory sets; 0 when that was not measured
 
-  double ratio() const { return best_seconds / stream; }
-  double over_memory() const { return memory > 0 ? stream / memory : 0; }
+  double ratio() const { return best_time.seconds / stream.seconds; }
+  double over_memory() const { return memory > 0 ? stream.seconds / memory : 0; }
 };
 
 /// In the order of scene, bodies, mode. A peer that was not exact in a cell is no candidate there.

@@ -51,8 +51,10 @@ bool is_aggregate(const json& row, std::string_view name) {
 }
 
 std::string machine_of(const json& context) {
-  return context.value("cpu", "") + ", " + context.value("cores", "") + " cores, " +
-         context.value("compiler", "") + ", commit " + context.value("commit", "");
+  const std::string giant = context.value("giant", "");
+  return (giant.empty() ? "" : "with a giant (" + giant + "): ") + context.value("cpu", "") + ", " +
+         context.value("cores", "") + " cores, " + context.value("compiler", "") + ", commit " +
+         context.value("commit", "");
 }
 
 // Google Benchmark writes the spread of counters that are zero as NaN, which JSON has not.
@@ -94,6 +96,8 @@ class Reader {
     if (std::find(known.begin(), known.end(), peer) == known.end()) known.push_back(peer);
     PeerTime& time = results_.cells[cell][peer];
     time.seconds = seconds_of(row);
+    time.mean = 1e-6 * row.value("mean", 0.0);
+    time.p99 = 1e-6 * row.value("p99", 0.0);
     time.pairs = row.value("pairs", 0.0);
     time.missing = row.value("missing", 0.0);
     time.extra = row.value("extra", 0.0);

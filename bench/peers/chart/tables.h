@@ -16,14 +16,15 @@ std::string summary_markdown(const PeerResults& results);
 /// The sentence that the summary comes down to, in two lines; empty when nothing can be compared.
 std::string headline_markdown(const PeerResults& results);
 
-/// A row for each cell: `stream`, the best of the others, their ratio, `stream` over the limit of memory.
+/// A row for each cell: `stream`, the best of the others, mean and 99th percentile of both, their ratio,
+/// `stream` over the limit of memory.
 std::string cells_markdown(const PeerResults& results);
 
 /// The evenness of `stream`'s frames; empty when that was not measured.
 std::string tails_markdown(const PeerResults& results);
 
-/// Every time of every peer, a row for each: scene, bodies, mode, peer, seconds, spread, pairs, missing,
-/// extra, over stream.
+/// Every time of every peer, a row for each: scene, bodies, mode, peer, seconds, mean, p99, spread,
+/// pairs, missing, extra, over stream.
 std::string times_csv(const PeerResults& results);
 
 /// The text with what stands between the lines `<!-- NAME: begin -->` and `<!-- NAME: end -->` replaced.

@@ -49,8 +49,9 @@ CELLSWEEP_API Result<Recording> read_recording(const std::filesystem::path& path
 /// ending, a name too long, no frames, or a disk that says no.
 CELLSWEEP_API Status write_recording(const Recording& recording, const std::filesystem::path& path);
 
-/// Stores what a source gives: frame 0 and up to `updates` more.
-CELLSWEEP_API Recording record(FrameSource& source, std::size_t updates, const Aabb& world);
+/// Stores what a source gives: frame 0 and up to `updates` more. Errors: bad_input for a source whose bodies
+/// come and go.
+CELLSWEEP_API Result<Recording> record(FrameSource& source, std::size_t updates, const Aabb& world);
 
 /// The frames of a recording. `moved()` lists the bodies whose six numbers differ from the frame before.
 CELLSWEEP_API std::unique_ptr<FrameSource> make_recording_frames(Recording recording);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,30 +17,52 @@
 
 namespace cellsweep {
 
+/// Where among the bodies, in the order of their ids, a giant stands: one that is larger than the world. With
+/// `none` scene `pile` still has its plane, in the first place.
+enum class GiantSlot { none, first, middle, last };
+
 /// What a scene is made of. The same settings give the same bits on every machine.
 struct SceneSettings {
   std::string scene = "paper";  ///< a name of scene_table()
   std::size_t bodies = 1024;
   std::uint64_t seed = 1;
-  double moving = 0.1;    ///< share of the bodies that move, 0 to 1
-  double speed = 1.0;     ///< at 1 a body moves at most 0.1 of its shortest edge a frame; 0 to 1,000,000
+  std::optional<double> moving{};  ///< share of the bodies that move, 0 to 1; none: the scene's own
+  double speed = 1.0;              ///< factor on how far bodies move a frame; 0 to 1,000,000
   bool spinning = false;  ///< moving bodies also turn (W2), at most 0.1 radians a frame whatever the speed
+  GiantSlot giant = GiantSlot::none;  ///< takes the place of a body, and never moves
 };
 
 /// One row of the scene table.
 struct SceneInfo {
   std::string_view name;
   std::string_view summary;  ///< one sentence for a person
+  /// Share of the bodies that move unless SceneSettings name another; none where that is not theirs to name.
+  std::optional<double> moving = 0.1;
+  /// Whether it is a World, whose bodies fly, at most 0.1 of their shortest edge a frame unless the summary
+  /// says otherwise, and may spin. The bodies of the others follow a script.
+  bool is_world = true;
 };
 
 /// All scenes.
 CELLSWEEP_API std::span<const SceneInfo> scene_table();
 
+/// The row of the scene table of this name, or null.
+CELLSWEEP_API const SceneInfo* find_scene(std::string_view name);
+
+/// The share of bodies that move with these settings: theirs, or the scene's own; 0 for a scene that has
+/// none.
+CELLSWEEP_API double moving_share(const SceneSettings& settings);
+
 /// The world of a scene at frame 0. Errors: bad_option for a name that is not in the table, a moving share
-/// outside 0 to 1, a speed outside 0 to 1,000,000, or more bodies than 32-bit ids name.
+/// outside 0 to 1, a speed outside 0 to 1,000,000, more bodies than 32-bit ids name, what the scene does not
+/// have (SceneInfo), or a scene that is no World.
 CELLSWEEP_API Result<World> make_scene(const SceneSettings& settings);
 
-/// The frames of a scene; it never ends. Errors: those of make_scene().
+/// The room that a scene's bodies are in, but for its giant and for the way of one frame. Errors: those of
+/// make_scene_frames().
+CELLSWEEP_API Result<Aabb> scene_bounds(const SceneSettings& settings);
+
+/// The frames of a scene; they never end. Errors: those of make_scene(), but for scenes that are no World.
 CELLSWEEP_API Result<std::unique_ptr<FrameSource>> make_scene_frames(const SceneSettings& settings);
 
 }  // namespace cellsweep

@@ -76,6 +76,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
     return std::move(failure.status);
   }
   plan_ahead();
+  was_full_ = kind == kFull;
   ++updates_[kind];
   refresh_counters(statistics);
   return found;
@@ -99,6 +100,7 @@ StreamView Stream::view(std::span<const Aabb> boxes) const {
 
 void Stream::note_idle(Statistics& statistics) {
   ++updates_[kIdle];
+  was_full_ = false;
   statistics.phases.clear();
   if (statistics.counters.empty()) return refresh_counters(statistics);
   statistics.bytes += bytes_;
@@ -126,11 +128,10 @@ FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& time
   return find_all(changes, with_cells, start, timer);
 }
 
-// A small world is swept as long as most bodies get new fat boxes at a time. Where several updates one after
-// the other could have looked at few, cells are worth making.
-bool Stream::wants_cells(Kind kind) {
-  without_cells_ = kind == kPartial && !have_cells_ ? without_cells_ + 1 : 0;
-  return without_cells_ > tuning::kPartialsWithoutCells;
+// A small world is swept when all is new, and while it is so in every update. Else cells will be asked for
+// the bodies that leave their fat boxes.
+bool Stream::wants_cells(Kind kind) const {
+  return kind == kPartial || (fat_boxes_.have_slack() && !was_full_);
 }
 
 // Too many candidates among the few that changed are no reason to refuse: all of them may have become too

@@ -62,7 +62,7 @@ class Stream final : public Engine, public HasFinder {
                       PhaseTimer& timer);
   FoundPairs find_changed(const BodyChanges& changes, Clock::time_point start, PhaseTimer& timer);
   bool change_cells();
-  bool wants_cells(Kind kind);
+  bool wants_cells(Kind kind) const;
   FoundPairs test_all(const BodyChanges& changes, PhaseTimer& timer);
   FoundPairs test_candidates(const BodyChanges& changes, const SlotPairChanges& of_candidates,
                              PhaseTimer& timer);
@@ -86,8 +86,8 @@ class Stream final : public Engine, public HasFinder {
   Crew& crew_;
   FatBoxes fat_boxes_;
   CellTree cells_;
-  bool have_cells_ = false;     // when not, there are few bodies, and they are swept
-  unsigned without_cells_ = 0;  // updates since the last full one that would have been partial ones
+  bool have_cells_ = false;  // when not, there are few bodies, and they are swept
+  bool was_full_ = false;    // the last update
   Sweep sweep_;
   Keys swept_;
   std::span<const std::uint64_t> swept_view_;

@@ -78,7 +78,7 @@ class FrameTimes {
 };
 
 bool has_pairs_of_oracle(const Broadphase& engine, const FrameSource& source) {
-  const std::vector<Pair> truth = oracle_pairs(source.boxes());
+  const std::vector<Pair> truth = oracle_pairs(source);
   return std::equal(engine.pairs().begin(), engine.pairs().end(), truth.begin(), truth.end());
 }
 
@@ -133,7 +133,7 @@ class Passage {
     }
     for (std::size_t i = 0; i < frames_ && !is_interrupted(); ++i) {
       source.advance();
-      const auto hand_over = [&] { return move_changed(*engine_, source); };
+      const auto hand_over = [&] { return hand_over_changes(*engine_, source); };
       if (Status status = moving_.add(*engine_, hand_over); !status.ok()) return status;
       frame_done_();
     }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <span>
@@ -32,7 +33,7 @@ bool is_wall(const Aabb& box, const Aabb& world) {
 
 std::vector<Pair> pairs_of(const FrameSource& source) {
   Broadphase engine;
-  if (!insert_all(engine, source).ok() || !engine.update().ok()) return oracle_pairs(source.boxes());
+  if (!insert_all(engine, source).ok() || !engine.update().ok()) return oracle_pairs(source);
   return {engine.pairs().begin(), engine.pairs().end()};
 }
 
@@ -53,13 +54,11 @@ Tableau tableau_of(const FrameSource& source, const Aabb& world) {
 }
 
 std::vector<BodyId> shown_bodies(const FrameSource& source, const Aabb& world) {
-  const std::span<const Aabb> boxes = source.boxes();
-  const bool only_walls =
-      std::all_of(boxes.begin(), boxes.end(), [&](const Aabb& box) { return is_wall(box, world); });
+  const std::span<const BodyId> bodies = source.bodies();
+  const auto is_shown = [&](BodyId body) { return !is_wall(source.boxes()[body], world); };
+  if (std::none_of(bodies.begin(), bodies.end(), is_shown)) return {bodies.begin(), bodies.end()};
   std::vector<BodyId> shown;
-  for (std::size_t body = 0; body < boxes.size(); ++body) {
-    if (only_walls || !is_wall(boxes[body], world)) shown.push_back(static_cast<BodyId>(body));
-  }
+  std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(shown), is_shown);
   return shown;
 }
 
