@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "base/key_sort.h"
 #include "base/tuning.h"
 
 namespace cellsweep {
@@ -39,9 +40,10 @@ void sort_by_second(AnyPair* pairs, std::size_t count) {
   std::sort(pairs, pairs + count, [](const AnyPair& one, const AnyPair& other) { return one.b < other.b; });
 }
 
+// Far apart first ids.
 template <class AnyPair>
-void sort_by_comparing(std::span<Key> keys, AnyPair* sorted) {
-  std::sort(keys.begin(), keys.end());
+void sort_by_keys(std::span<Key> keys, AnyPair* sorted) {
+  sort_keys(keys);
   std::transform(keys.begin(), keys.end(), sorted, pair_of<AnyPair>);
 }
 
@@ -77,34 +79,14 @@ struct Range {
 };
 
 template <class AnyPair>
-void sort_bucket(std::span<Key> keys, AnyPair* sorted);
-
-// Far apart first ids: cut into buckets once more.
-template <class AnyPair>
-void sort_in_buckets(std::span<Key> keys, const Range& range, AnyPair* sorted) {
-  const std::uint64_t width = range.size() / kBuckets + 1;
-  std::array<std::size_t, kBuckets + 1> places{};
-  for (const Key key : keys) ++places[((key >> 32) - range.low) / width + 1];
-  for (std::size_t i = 0; i < kBuckets; ++i) places[i + 1] += places[i];
-  std::vector<Key> ordered(keys.size());
-  std::array<std::size_t, kBuckets> next{};
-  std::copy_n(places.begin(), kBuckets, next.begin());
-  for (const Key key : keys) ordered[next[((key >> 32) - range.low) / width]++] = key;
-  for (std::size_t i = 0; i < kBuckets; ++i) {
-    sort_bucket(std::span(ordered).subspan(places[i], places[i + 1] - places[i]), sorted + places[i]);
-  }
-}
-
-template <class AnyPair>
 void sort_bucket(std::span<Key> keys, AnyPair* sorted) {
-  if (keys.size() <= kFewKeys) return sort_by_comparing(keys, sorted);
+  if (keys.size() <= kFewKeys) return sort_by_keys(keys, sorted);
   Range range;
   for (const Key key : keys) range.include(key);
   if (range.size() <= kCounters && range.size() <= 16 * keys.size()) {
     return sort_by_counting(keys, range.low, range.size(), sorted);
   }
-  if (keys.size() < 512) return sort_by_comparing(keys, sorted);
-  sort_in_buckets(keys, range, sorted);
+  sort_by_keys(keys, sorted);
 }
 
 /// The keys of several buffers cut into buckets of equally many first ids, by all workers.

@@ -1,11 +1,9 @@
 #include "broadphase/pairs/id_ranks.h"
 
-#include <algorithm>
 #include <array>
-#include <bit>
-#include <numeric>
 #include <utility>
 
+#include "base/key_sort.h"
 #include "base/tuning.h"
 
 namespace cellsweep {
@@ -52,33 +50,9 @@ void sort_by_digits(Array<Entry>& entries) {
   }
 }
 
-/// A bucket for each entry, more or less: most hold one or two, wherever ids lie; those that hold many are
-/// compared.
-void sort_in_buckets(Array<Entry>& entries) {
-  const auto [least, most] = std::ranges::minmax(entries.view());
-  const auto bits = std::bit_width(most - least);
-  const auto wanted = std::bit_width(entries.size());
-  const auto shift = bits > wanted ? bits - wanted : 0;
-  Array<std::uint32_t> ends;
-  ends.renew(((most - least) >> shift) + 2);
-  std::ranges::fill(ends.view(), 0U);
-  for (const Entry entry : entries.view()) ++ends.data()[((entry - least) >> shift) + 1];
-  std::partial_sum(ends.view().begin(), ends.view().end(), ends.view().begin());
-  Array<Entry> sorted;
-  sorted.renew(entries.size());
-  for (const Entry entry : entries.view()) sorted.data()[ends.data()[(entry - least) >> shift]++] = entry;
-  std::uint32_t first = 0;
-  for (const std::uint32_t end : ends.view()) {
-    if (end - first > 1) std::sort(sorted.data() + first, sorted.data() + end);
-    first = end;
-  }
-  std::swap(entries, sorted);
-}
-
 /// By id; the order of equal ids does not matter.
 void sort_entries(Array<Entry>& entries) {
-  if (entries.size() <= tuning::kFewKeys) return std::sort(entries.data(), entries.data() + entries.size());
-  if (entries.size() <= tuning::kManyIds) return sort_in_buckets(entries);
+  if (entries.size() <= tuning::kManyIds) return sort_keys(entries.view());
   sort_by_digits(entries);
 }
 
