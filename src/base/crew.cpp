@@ -26,7 +26,9 @@ void Crew::plan(std::size_t items, double seconds_of_item) {
   const double saved = seconds_of_one * (1 - 1.0 / workers_);
   missed_ += saved;
   if (missed_ < tuning::kStartCost) return;
-  if (saved > 2 * tuning::kJobs * seconds_to_dispatch()) use(workers_);
+  if (saved > 2 * tuning::kJobs * seconds_to_dispatch()) return use(workers_);
+  // What was measured at a bad moment must not keep the workers from ever being used.
+  if (++unused_ % tuning::kPatience == 0) dispatch_ = -1;
 }
 
 // What a task throws must not pass through an executor that is not ours.
@@ -50,7 +52,7 @@ void Crew::run_all(Call call, const void* context) {
   if (job.error) std::rethrow_exception(job.error);
 }
 
-// The quickest of a few: one that the system delayed would keep the workers from ever being used.
+// The quickest of a few: the system delays one now and then.
 double Crew::seconds_to_dispatch() {
   if (dispatch_ >= 0) return dispatch_;
   using Clock = std::chrono::steady_clock;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "cellsweep/executor.h"
@@ -68,8 +69,9 @@ class Crew {
   unsigned workers_;
   unsigned active_;
   Choice choice_;
-  double missed_ = 0;     // seconds that workers would have saved, had there been any
-  double dispatch_ = -1;  // seconds that handing an empty job to all takes, once measured
+  double missed_ = 0;         // seconds that workers would have saved, had there been any
+  double dispatch_ = -1;      // seconds that handing an empty job to all takes, once measured
+  std::uint64_t unused_ = 0;  // times that this was too much for work that was worth a try
 };
 
 /// The part of 0 ... count - 1 that belongs to one of `workers`, by place.

@@ -26,6 +26,8 @@ inline constexpr double kStartCost = 300e-6;
 inline constexpr double kJobs = 8;
 /// Dispatches of an empty job of which the quickest counts.
 inline constexpr int kDispatches = 3;
+/// So many times that is too much for what workers would save, and it is measured again.
+inline constexpr std::uint64_t kPatience = 32;
 
 // --- seconds of one body or pair on one thread: first guesses, which every update corrects
 // --------------------

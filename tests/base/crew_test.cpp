@@ -6,9 +6,11 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <new>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "base/thread_pool.h"
@@ -157,6 +159,28 @@ TEST(CrewByGain, StartsWhenItWouldHaveSavedWhatStartingTakes) {
   EXPECT_EQ(executor->runs, runs) << "and measured once";
   crew.plan(1, 1e-6);
   EXPECT_EQ(crew.active(), 1U);
+}
+
+/// Is late at first, as on a machine that is busy with something else.
+class LateExecutor final : public Executor {
+ public:
+  unsigned concurrency() const override { return 4; }
+  void run(unsigned count, Task task, void* context) override {
+    if (is_late) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    for (unsigned i = 0; i < count; ++i) task(context, i);
+  }
+
+  bool is_late = true;
+};
+
+TEST(CrewByGain, MeasuresAgainWhatADispatchTakesThatWasMeasuredAtABadMoment) {
+  const auto executor = std::make_shared<LateExecutor>();
+  Crew crew(executor, 4, Crew::Choice::by_gain);
+  crew.plan(1, 1e-3);
+  EXPECT_EQ(crew.active(), 1U) << "what two milliseconds are lost for";
+  executor->is_late = false;
+  for (int update = 0; update < 100 && crew.active() == 1; ++update) crew.plan(1, 10e-3);
+  EXPECT_EQ(crew.active(), 4U);
 }
 
 TEST(Share, CutsAListWithoutGapOrOverlap) {
