@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <span>
 
 #include "base/tuning.h"
 #include "geometry/box_lanes.h"
@@ -12,32 +13,30 @@ namespace {
 using tuning::kLargeEdges;
 using tuning::kSample;
 
-using Edges = std::array<double, 3>;
-
 /// Some of the boxes, evenly spread over the list; slots without a body are left out.
 struct Drawn {
-  std::array<std::array<float, kSample>, 3> minima;
-  std::array<std::array<float, kSample>, 3> edges;
+  std::array<Aabb, kSample> boxes;
   std::size_t count = 0;
+
+  std::span<const Aabb> view() const { return {boxes.data(), count}; }
 };
 
 void draw(const Boxes& boxes, Drawn& drawn) {
   const std::size_t wanted = std::min(boxes.count(), std::min(kSample, 24 + boxes.count() / 64));
   for (std::size_t i = 0; i < wanted; ++i) {
     const Aabb& box = boxes[i * boxes.count() / wanted];
-    if (!(box.min[0] <= box.max[0])) continue;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      drawn.minima[axis][drawn.count] = box.min[axis];
-      drawn.edges[axis][drawn.count] = std::min(box.max[axis] - box.min[axis], FLT_MAX);
-    }
-    ++drawn.count;
+    drawn.boxes[drawn.count] = box;
+    drawn.count += box.min[0] <= box.max[0] ? 1 : 0;
   }
 }
 
 /// Twice the range of the middle half, not beyond the range of all. What lies outside falls into the cells at
 /// the border, which are cut again when they are crowded.
-AxisRange measure_axis(float* minima, std::size_t count) {
-  std::sort(minima, minima + count);
+AxisRange measure_axis(std::span<const Aabb> boxes, std::size_t axis) {
+  std::array<float, kSample> minima;
+  const std::size_t count = boxes.size();
+  for (std::size_t i = 0; i < count; ++i) minima[i] = boxes[i].min[axis];
+  std::sort(minima.begin(), minima.begin() + static_cast<std::ptrdiff_t>(count));
   const double low = minima[0];
   const double high = minima[count - 1];
   const double quarter = minima[count / 4];
@@ -47,56 +46,75 @@ AxisRange measure_axis(float* minima, std::size_t count) {
   return {origin, std::min(high, quarter + 1.5 * middle_half) - origin};
 }
 
-Edges clipped(Edges edges, const std::array<AxisRange, 3>& axes) {
-  for (std::size_t axis = 0; axis < 3; ++axis) edges[axis] = std::min(edges[axis], axes[axis].length);
-  return edges;
-}
+/// What of a box lies in the ranges of the axes: the rest falls into cells at the border, whatever its size.
+class Ranges {
+ public:
+  explicit Ranges(const std::array<AxisRange, 3>& axes) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low_[axis] = static_cast<float>(axes[axis].origin);
+      high_[axis] = static_cast<float>(std::min(axes[axis].origin + axes[axis].length, double{FLT_MAX}));
+    }
+  }
+
+  /// In lanes 0 to 2; of nobody 0.
+  Float4 edges(const Aabb& box) const {
+    const BoxLanes lanes(box);
+    return clamped(lanes.max) - clamped(lanes.min);
+  }
+
+ private:
+  Float4 clamped(Float4 values) const {
+    values = values > low_ ? values : low_;
+    return values < high_ ? values : high_;
+  }
+
+  Float4 low_{};
+  Float4 high_{};
+};
 
 /// The edges beyond which a box is large.
-Float4 large_edges(const Drawn& drawn) {
+Float4 large_edges(std::span<const Aabb> boxes, const Ranges& ranges) {
+  std::array<std::array<float, kSample>, 3> edges;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Float4 of_box = ranges.edges(boxes[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) edges[axis][i] = of_box[axis];
+  }
   Float4 limits{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::array<float, kSample> edges = drawn.edges[axis];
-    const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(drawn.count / 2);
-    std::nth_element(edges.begin(), middle, edges.begin() + static_cast<std::ptrdiff_t>(drawn.count));
+    float* const middle = edges[axis].data() + boxes.size() / 2;
+    std::nth_element(edges[axis].data(), middle, edges[axis].data() + boxes.size());
     limits[axis] = std::min(*middle * kLargeEdges, FLT_MAX);
   }
   return limits;
 }
 
-/// How many are large, and the sums of their extents.
-std::size_t add_large(const Boxes& boxes, Float4 limits, const std::array<AxisRange, 3>& axes,
-                      Extents& sums) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < boxes.count(); ++i) {
-    const BoxLanes box(boxes[i]);
-    if (!on_any_axis((box.max - box.min) > limits)) continue;
-    Edges edges;
-    for (std::size_t axis = 0; axis < 3; ++axis) edges[axis] = double{box.max[axis]} - double{box.min[axis]};
-    sums.add(clipped(edges, axes));
+/// Sums of the extents of boxes that are large, or of those that are not, and how many there are.
+struct Sums {
+  Extents extents;
+  double count = 0;
+
+  void add(Float4 edges) {
+    extents.add({edges[0], edges[1], edges[2]});
     ++count;
   }
-  return count;
+};
+
+Sums sum_large(const Boxes& boxes, const Ranges& ranges, Float4 limits) {
+  Sums sums;
+  for (std::size_t i = 0; i < boxes.count(); ++i) {
+    const Float4 edges = ranges.edges(boxes[i]);
+    if (on_any_axis(edges > limits)) sums.add(edges);
+  }
+  return sums;
 }
 
-/// Means over the drawn ones that are not large.
-Extents mean_of_usual(const Drawn& drawn, Float4 limits, const std::array<AxisRange, 3>& axes) {
-  Extents sums;
-  double count = 0;
-  for (std::size_t i = 0; i < drawn.count; ++i) {
-    bool usual = true;
-    Edges edges;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      usual = usual && drawn.edges[axis][i] <= limits[axis];
-      edges[axis] = drawn.edges[axis][i];
-    }
-    if (!usual) continue;
-    sums.add(clipped(edges, axes));
-    ++count;
+Sums sum_usual(std::span<const Aabb> boxes, const Ranges& ranges, Float4 limits) {
+  Sums sums;
+  for (const Aabb& box : boxes) {
+    const Float4 edges = ranges.edges(box);
+    if (!on_any_axis(edges > limits)) sums.add(edges);
   }
-  Extents means;
-  if (count > 0) means.add(sums, 1 / count);
-  return means;
+  return sums;
 }
 
 }  // namespace
@@ -122,14 +140,14 @@ BoxSample take_sample(const Boxes& boxes) {
   draw(boxes, drawn);
   BoxSample sample;
   if (drawn.count == 0) return sample;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    sample.axes[axis] = measure_axis(drawn.minima[axis].data(), drawn.count);
-  const Float4 limits = large_edges(drawn);
-  Extents large;
+  for (std::size_t axis = 0; axis < 3; ++axis) sample.axes[axis] = measure_axis(drawn.view(), axis);
+  const Ranges ranges(sample.axes);
+  const Float4 limits = large_edges(drawn.view(), ranges);
+  const Sums large = sum_large(boxes, ranges, limits);
+  const Sums usual = sum_usual(drawn.view(), ranges, limits);
   const auto count = static_cast<double>(boxes.count());
-  const auto larges = static_cast<double>(add_large(boxes, limits, sample.axes, large));
-  sample.extents.add(mean_of_usual(drawn, limits, sample.axes), 1 - larges / count);
-  sample.extents.add(large, 1 / count);
+  if (usual.count > 0) sample.extents.add(usual.extents, (1 - large.count / count) / usual.count);
+  sample.extents.add(large.extents, 1 / count);
   return sample;
 }
 

@@ -15,14 +15,14 @@ struct AxisRange {
 };
 
 /// Means over boxes, of their edges and of the edges' products, which say how many cells a box reaches into.
-/// No edge counts for more than the range of its axis: there are no more cells than that.
+/// Of an edge counts what lies in the range of its axis: there are no more cells than that.
 struct Extents {
   double x = 0, y = 0, z = 0, xy = 0, yz = 0, zx = 0, xyz = 0;
 
   void add(const std::array<double, 3>& edges);
   void add(const Extents& other, double weight);
 
-  /// The expected number of cells of a box, for so many cells a unit of length on each axis.
+  /// The expected number of cells of a box, for so many borders between cells a unit of length on each axis.
   double copies(const std::array<double, 3>& density) const;
 };
 

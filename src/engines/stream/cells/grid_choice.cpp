@@ -55,8 +55,9 @@ double density_on(const AxisRange& axis, std::uint32_t dim) {
 Plan plan_for(const BoxSample& sample, double boxes, double boxes_in_cell) {
   Plan plan;
   plan.dims = divide(sample, std::max(1.0, boxes / boxes_in_cell));
-  std::array<double, 3> density{};
-  for (std::size_t axis = 0; axis < 3; ++axis) density[axis] = density_on(sample.axes[axis], plan.dims[axis]);
+  std::array<double, 3> density{};  // of borders between cells
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    density[axis] = density_on(sample.axes[axis], plan.dims[axis] - 1);
   const double copies = sample.extents.copies(density);
   const double cells = double{1.0} * plan.dims[0] * plan.dims[1] * plan.dims[2];
   plan.cost = copies * (kCopyCost + kTestCost * boxes * copies / cells);
