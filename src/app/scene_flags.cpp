@@ -32,6 +32,7 @@ std::string_view word_of(GiantSlot slot) {
 
 std::vector<std::string_view> giant_words() {
   std::vector<std::string_view> words;
+  words.reserve(kGiantSlots.size());
   for (const auto& [word, slot] : kGiantSlots) words.push_back(word);
   return words;
 }

@@ -12,7 +12,7 @@ double axis_edge(double bodies) {
   return std::max(2 * bodies, kSmallest);
 }
 
-Placement place(const Spot& spot, Random& random) {
+Placement place_on_axis(const Spot& spot, Random& random) {
   constexpr float kLine = 1;  // where it is on the other axes
   Placement placement = place_cube(spot, random);
   placement.centre[1] = kLine;
@@ -26,7 +26,7 @@ SceneRecipe axis_recipe() {
   return {{"axis", "unit cubes strung along one axis, on the other two all in the same place"},
           12,
           axis_edge,
-          place,
+          place_on_axis,
           {.axes = {true, false, false}}};
 }
 

@@ -4,7 +4,7 @@
 namespace cellsweep {
 namespace {
 
-Placement place(const Spot& spot, Random& random) {
+Placement place_bullet(const Spot& spot, Random& random) {
   constexpr std::array<float, 3> kBullet = {0.1F, 0.1F, 0.1F};
   return put(spot.moves ? kBullet : kUnitCube, spot.world_edge, spot.world_edge, random);
 }
@@ -15,7 +15,7 @@ SceneRecipe bullets_recipe() {
   return {{"bullets", "cubes that stand still, and 10 % bullets that fly 2 to 8 of their edges a frame"},
           8,
           uniform_edge,
-          place,
+          place_bullet,
           {.slowest_share = 0.25, .fastest = 8}};
 }
 

@@ -19,7 +19,7 @@ double dust_edge(double bodies) {
   return std::max(78 * cube_root(std::max(bodies, 1.0)), kRoomForTheLargest);
 }
 
-Placement place(const Spot& spot, Random& random) {
+Placement place_grain(const Spot& spot, Random& random) {
   const double smallest = spot.id % kOneGiantIn == kGiant ? kSmallest * kDecadesOfEach : kSmallest;
   const auto edge = static_cast<float>(smallest * power(kDecadesOfEach, random.unit()));
   return put({edge, edge, edge}, spot.world_edge, spot.world_edge, random);
@@ -31,7 +31,7 @@ SceneRecipe dust_recipe() {
   return {{"dust", "cubes of edges 0.001 to 1, and 1 % giants of edges 1 to 1,000 in which they lie"},
           11,
           dust_edge,
-          place};
+          place_grain};
 }
 
 }  // namespace cellsweep

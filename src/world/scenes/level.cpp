@@ -35,7 +35,7 @@ Placement place_character(const Spot& spot, Random& random) {
   return placement;
 }
 
-Placement place(const Spot& spot, Random& random) {
+Placement place_in_level(const Spot& spot, Random& random) {
   return spot.moves ? place_character(spot, random) : place_tile(spot, random);
 }
 
@@ -46,7 +46,7 @@ SceneRecipe level_recipe() {
       {"level", "tiles of floors and walls that touch and stay, and 5 % characters that walk on them", 0.05},
       7,
       level_edge,
-      place,
+      place_in_level,
       {.axes = {true, false, true}}};
 }
 

@@ -51,9 +51,10 @@ class Stacks final : public SceneScript {
 
   Aabb place_of(BodyId id) const {
     const std::size_t stack = id / kCubesInAStack;
+    const std::size_t row = stack / side_;
     const float x = kSpacing * static_cast<float>(stack % side_);
     const auto y = static_cast<float>(id % kCubesInAStack);
-    const float z = kSpacing * static_cast<float>(stack / side_);
+    const float z = kSpacing * static_cast<float>(row);
     return {{x, y, z}, {x + 1, y + 1, z + 1}};
   }
 

@@ -9,14 +9,14 @@ namespace {
 
 constexpr float kParticle = 0.1F;
 
-// With the density of place() each particle overlaps about two others.
+// With the density of place_particle() each particle overlaps about two others.
 double swarm_edge(double bodies) {
   constexpr double kSmallest = 12;  // particles
   return static_cast<double>(kParticle) * std::max(2.6 * cube_root(std::max(bodies, 1.0)), kSmallest);
 }
 
 // The mean of three random places: a cloud that thins out towards the walls.
-Placement place(const Spot& spot, Random& random) {
+Placement place_particle(const Spot& spot, Random& random) {
   Placement placement{{kParticle, kParticle, kParticle}, {}};
   for (int draw = 0; draw < 3; ++draw) {
     const Placement one = put(placement.edges, spot.world_edge, spot.world_edge, random);
@@ -31,7 +31,7 @@ SceneRecipe swarm_recipe() {
   return {{"swarm", "particles of one size, a cloud of them that is thickest in its middle; all move", 1.0},
           9,
           swarm_edge,
-          place};
+          place_particle};
 }
 
 }  // namespace cellsweep

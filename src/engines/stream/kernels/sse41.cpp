@@ -15,10 +15,10 @@ struct Sse41Lanes {
   using Mask = __m128;
 
   static void gather(const TaggedBox* boxes, Vector (&faces)[6]) {
-    const auto half_of = [](const TaggedBox& box, unsigned half) {
-      return _mm_load_ps(reinterpret_cast<const float*>(&box) + std::size_t{4} * half);
+    const auto half_of = [](const TaggedBox& box, std::size_t half) {
+      return _mm_load_ps(reinterpret_cast<const float*>(&box) + 4 * half);
     };
-    for (unsigned half = 0; half < 2; ++half) {
+    for (std::size_t half = 0; half < 2; ++half) {
       Vector a = half_of(boxes[0], half), b = half_of(boxes[1], half);
       Vector c = half_of(boxes[2], half), d = half_of(boxes[3], half);
       _MM_TRANSPOSE4_PS(a, b, c, d);
