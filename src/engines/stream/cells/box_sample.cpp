@@ -102,6 +102,9 @@ struct Sums {
 Sums sum_large(const Boxes& boxes, const Ranges& ranges, Float4 limits) {
   Sums sums;
   for (std::size_t i = 0; i < boxes.count(); ++i) {
+    // Most are not even with what lies outside of the ranges, which is asked sooner.
+    const BoxLanes box(boxes[i]);
+    if (!on_any_axis((box.max - box.min) > limits)) continue;
     const Float4 edges = ranges.edges(boxes[i]);
     if (on_any_axis(edges > limits)) sums.add(edges);
   }
