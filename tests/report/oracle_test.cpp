@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <span>
+
 namespace cellsweep::report {
 namespace {
 
@@ -13,7 +15,7 @@ TEST(OraclePairs, AreAllThatOverlapOrTouchAscending) {
 }
 
 TEST(OraclePairs, OfNoBoxesAreNone) {
-  EXPECT_THAT(oracle_pairs({}), testing::IsEmpty());
+  EXPECT_THAT(oracle_pairs(std::span<const Aabb>()), testing::IsEmpty());
 }
 
 }  // namespace
