@@ -120,69 +120,95 @@ TEST_P(StagedBoxesTest, TellAMovedBodyThatIsRemovedAsRemoved) {
   }
 }
 
-// Most of the bodies move in one half of the rounds, and few in the other.
-TEST_P(StagedBoxesTest, HoldWhatPlainArraysHold) {
-  Random random(GetParam());
-  std::vector<Aabb> seen = boxes_from(0, kBodies);
-  std::vector<Aabb> next = seen;
-  std::vector<Slot> inserted;
-  std::set<Slot> removed;
-  for (int round = 0; round < 2000; ++round) {
-    if (random.one_in(2)) {
-      std::vector<Slot> slots = slots_from(0, next.size());
-      std::erase_if(slots, [&](Slot slot) { return bits(next[slot]) == bits(kNobody); });
-      if (random.one_in(2)) random.shuffle(slots);
-      if (random.one_in(2)) slots.resize(random.below(slots.size()));
-      std::vector<Aabb> boxes;
-      for (const Slot slot : slots)
-        boxes.push_back(random.one_in(4) ? seen[slot] : box_at(static_cast<float>(random.whole(0, 9))));
-      move(slots, boxes);
-      for (std::size_t i = 0; i < slots.size(); ++i) {
-        next[slots[i]] = boxes[i];
-        if (std::ranges::find(inserted, slots[i]) != inserted.end()) seen[slots[i]] = boxes[i];
-      }
+/// Random calls, and plain arrays of what they should have led to.
+class RandomStages : public StagedBoxesTest {
+ protected:
+  /// Most of the bodies, or few; some stay, or go back to where they were.
+  void move_some() {
+    std::vector<Slot> slots = slots_from(0, next_.size());
+    std::erase_if(slots, [&](Slot slot) { return bits(next_[slot]) == bits(kNobody); });
+    if (random_.one_in(2)) random_.shuffle(slots);
+    if (random_.one_in(2)) slots.resize(random_.below(slots.size()));
+    std::vector<Aabb> boxes;
+    for (const Slot slot : slots)
+      boxes.push_back(random_.one_in(4) ? seen_[slot] : box_at(static_cast<float>(random_.whole(0, 9))));
+    move(slots, boxes);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      next_[slots[i]] = boxes[i];
+      if (is_new(slots[i])) seen_[slots[i]] = boxes[i];
     }
-    if (random.one_in(4)) {
-      const auto slot = static_cast<Slot>(next.size());
-      boxes_.reserve(next.size() + 1);
-      boxes_.insert({&slot, 1}, {{box_at(1)}}, true);
-      next.push_back(box_at(1));
-      seen.push_back(box_at(1));
-      inserted.push_back(slot);
-    }
-    const auto gone = static_cast<Slot>(random.below(next.size()));
-    if (random.one_in(4) && next.size() > 90 && bits(next[gone]) != bits(kNobody) &&
-        std::ranges::find(inserted, gone) == inserted.end()) {
-      boxes_.reserve_removals(1);
-      boxes_.remove(gone);
-      next[gone] = kNobody;
-      removed.insert(gone);
-    }
-    for (Slot slot = 0; slot < seen.size(); ++slot) ASSERT_EQ(bits(boxes_.boxes()[slot]), bits(seen[slot]));
-    if (random.one_in(2)) continue;
-    const BodyChanges changes = boxes_.begin_update();
-    ASSERT_THAT(std::set<Slot>(changes.removed.begin(), changes.removed.end()),
-                testing::ContainerEq(removed));
-    std::set<Slot> told(changes.moved.begin(), changes.moved.end());
+  }
+
+  void insert_one() {
+    const auto slot = static_cast<Slot>(next_.size());
+    boxes_.reserve(next_.size() + 1);
+    boxes_.insert({&slot, 1}, {{box_at(1)}}, true);
+    next_.push_back(box_at(1));
+    seen_.push_back(box_at(1));
+    inserted_.push_back(slot);
+  }
+
+  void remove_one() {
+    const auto slot = static_cast<Slot>(random_.below(next_.size()));
+    if (bits(next_[slot]) == bits(kNobody) || is_new(slot)) return;
+    boxes_.reserve_removals(1);
+    boxes_.remove(slot);
+    next_[slot] = kNobody;
+    removed_.insert(slot);
+  }
+
+  void expect_seen() const {
+    for (Slot slot = 0; slot < seen_.size(); ++slot)
+      ASSERT_EQ(bits(boxes_.boxes()[slot]), bits(seen_[slot])) << slot;
+  }
+
+  void expect_told(const BodyChanges& changes) const {
+    const std::set<Slot> gone(changes.removed.begin(), changes.removed.end());
+    ASSERT_THAT(gone, testing::ContainerEq(removed_));
+    const std::set<Slot> told(changes.moved.begin(), changes.moved.end());
     ASSERT_EQ(told.size(), changes.moved.size());
-    for (Slot slot = 0; slot < next.size(); ++slot) {
-      ASSERT_EQ(bits(changes.boxes[slot]), bits(next[slot])) << slot;
-      if (told.contains(slot) || removed.contains(slot)) {
-        ASSERT_EQ(bits(changes.before[slot]), bits(seen[slot])) << slot;
-      } else {
-        ASSERT_EQ(bits(seen[slot]), bits(next[slot])) << "a change was not told";
-      }
+    for (Slot slot = 0; slot < next_.size(); ++slot) {
+      ASSERT_EQ(bits(changes.boxes[slot]), bits(next_[slot])) << slot;
+      const bool changed = told.contains(slot) || gone.contains(slot);
+      ASSERT_EQ(bits(changed ? changes.before[slot] : next_[slot]), bits(seen_[slot])) << slot;
     }
-    if (random.one_in(3)) {
+  }
+
+  void commit() {
+    boxes_.commit(inserted_);
+    seen_ = next_;
+    inserted_.clear();
+    removed_.clear();
+  }
+
+  Random random_{GetParam()};
+
+ private:
+  bool is_new(Slot slot) const { return std::ranges::find(inserted_, slot) != inserted_.end(); }
+
+  std::vector<Aabb> seen_ = boxes_from(0, kBodies);  // by the last update
+  std::vector<Aabb> next_ = seen_;
+  std::vector<Slot> inserted_;
+  std::set<Slot> removed_;
+};
+
+TEST_P(RandomStages, HoldWhatPlainArraysHold) {
+  for (int round = 0; round < 2000 && !HasFatalFailure(); ++round) {
+    if (random_.one_in(2)) move_some();
+    if (random_.one_in(4)) insert_one();
+    if (random_.one_in(4)) remove_one();
+    expect_seen();
+    if (random_.one_in(2)) continue;
+    expect_told(boxes_.begin_update());
+    if (random_.one_in(3)) {
       boxes_.undo();
-      continue;
+    } else {
+      commit();
     }
-    boxes_.commit(inserted);
-    seen = next;
-    inserted.clear();
-    removed.clear();
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Workers, RandomStages, testing::Values(1U, 3U));
 
 }  // namespace
 }  // namespace cellsweep

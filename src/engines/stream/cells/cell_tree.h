@@ -57,7 +57,7 @@ class CellTree {
   /// `finder` finds the pairs of build(); null for the kernels to do so.
   CellTree(Crew& crew, const Kernels& kernels, PieceFinder* finder = nullptr);
 
-  /// No cells, no pairs, no memory.
+  /// No cells and no pairs; of the memory, what little the next build begins with is kept.
   void clear();
 
   /// From now on build() and change() may throw TooManyPairs when they find more than this.
