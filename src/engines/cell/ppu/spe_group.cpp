@@ -113,7 +113,7 @@ Status SpeGroup::join() {
 
 double SpeGroup::longest_cpu_milliseconds() const {
   double longest = 0;
-  for (const auto& spe : spes_) longest = std::max(longest, spe->cpu_milliseconds);
+  for (const auto& spe : spes_) longest = std::max(longest, spe->cpu_milliseconds.load());
   return longest;
 }
 

@@ -69,7 +69,7 @@ class SpeGroup {
 
   /// CPU time of the SPE in the last run, in milliseconds: the program without the start of its thread. 0
   /// when it was not among those that ran, and while it runs.
-  double cpu_milliseconds(unsigned index) const { return spes_[index]->cpu_milliseconds; }
+  double cpu_milliseconds(unsigned index) const { return spes_[index]->cpu_milliseconds.load(); }
 
   /// The largest of cpu_milliseconds().
   double longest_cpu_milliseconds() const;
@@ -85,7 +85,7 @@ class SpeGroup {
     spe_context_ptr_t context = nullptr;
     std::thread thread;
     std::atomic<bool> running = false;
-    double cpu_milliseconds = 0;
+    std::atomic<double> cpu_milliseconds = 0;  // its thread writes it when the program ends, asked or not
     std::string fault{};
     StepCycles now{};     // when statistics() were asked for last
     StepCycles before{};  // and take_statistics()
