@@ -95,7 +95,9 @@ inline constexpr std::uint32_t kTestsOfSwept = 8;
 // -----------------------------------------------------------------------------------------------
 
 /// When no more than one in so many bodies got a new box, candidates of two others are not tested.
-inline constexpr std::size_t kFewFresh = 20;
+inline constexpr std::size_t kFewFresh = 3;
+/// Candidates among which those with a new box are picked at a time.
+inline constexpr std::size_t kRun = 256;
 /// To ask the cells who overlaps a body, before and after it moved, takes as long as to test so many
 /// candidates. EPYC, uniform 1,000 to 1,000,000.
 inline constexpr std::size_t kCandidatesOfQuery = 200;

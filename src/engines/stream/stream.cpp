@@ -117,7 +117,7 @@ FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& time
   if (bodies_ == 0) return find_none(changes);
   if (candidates_are_pairs_ && fat_boxes_.have_slack() && kind != kFull) {
     candidates_are_pairs_ = false;
-    marks_are_stale_ = true;
+    marks_say_ = Marks::all_are_pairs;
   }
   if (kind != kFull && have_cells_ && are_few(changes)) return find_of_few(changes, timer);
   if (kind == kInPlace) return test_candidates(changes, {}, timer);
@@ -174,7 +174,7 @@ FoundPairs Stream::find_none(const BodyChanges& changes) {
   fresh_ = Vector<std::uint8_t>();
   few_ = {};
   candidates_are_pairs_ = true;
-  marks_are_stale_ = false;
+  marks_say_ = Marks::true_of_it;
   return {.ended = std::as_const(before_).view()};
 }
 
@@ -205,7 +205,7 @@ FoundPairs Stream::test_all(const BodyChanges& changes, PhaseTimer& timer) {
   crew_.plan(candidates.size(), tuning::kTestGuess);
   marks_.test_all(crew_, candidates, changes.boxes.data());
   tested_ += candidates.size();
-  marks_are_stale_ = false;
+  marks_say_ = Marks::true_of_it;
   marks_.list_marked(candidates, now_);
   const FoundPairs found = compare_with_before(std::as_const(now_).view());
   timer.lap("tests");
@@ -228,14 +228,19 @@ FoundPairs Stream::compare_with_before(std::span<const SlotPair> now) {
 
 // Where marks were not kept up to date, they are what the boxes of the last update say.
 void Stream::repair_marks(const BodyChanges& changes) {
-  if (!marks_are_stale_) return;
+  if (marks_say_ == Marks::true_of_it) return;
   const std::span<const SlotPair> candidates = candidates_.pairs(crew_);
+  if (marks_say_ == Marks::all_are_pairs) {
+    marks_.mark_all(candidates.size());
+    marks_say_ = Marks::true_of_it;
+    return;
+  }
   crew_.plan(candidates.size(), tuning::kTestGuess);
   mark_fresh(changes, 1);
   marks_.test_all(crew_, candidates, BoxesBefore{changes.boxes.data(), changes.before.data(), fresh_.data()});
   mark_fresh(changes, 0);
   tested_ += candidates.size();
-  marks_are_stale_ = false;
+  marks_say_ = Marks::true_of_it;
 }
 
 bool Stream::are_few(const BodyChanges& changes) const {
@@ -254,7 +259,7 @@ FoundPairs Stream::find_of_few(const BodyChanges& changes, PhaseTimer& timer) {
   timer.lap("cells");
   few_.ask_now(cells_, changes, fresh_.data());
   mark_fresh(changes, 0);
-  marks_are_stale_ = !candidates_are_pairs_;
+  if (!candidates_are_pairs_) marks_say_ = Marks::stale;
   const SlotPairChanges found = few_.changes(crew_);
   timer.lap("tests");
   return {.began = found.began, .ended = found.ended};

@@ -94,7 +94,9 @@ class Stream final : public Engine, public HasFinder {
   CandidateList candidates_;  // pairs of overlapping fat boxes
   OverlapMarks marks_;        // which of them are pairs, from when on not all are
   bool candidates_are_pairs_ = true;
-  bool marks_are_stale_ = false;  // of boxes of earlier updates
+  /// What the marks say of the update before.
+  enum class Marks { true_of_it, all_are_pairs, stale };
+  Marks marks_say_ = Marks::true_of_it;
   PairsOfFew few_;
   std::size_t pairs_ = 0;   // how many there are
   Array<SlotPair> before_;  // the pairs of the update before, when everything is found anew

@@ -1,53 +1,76 @@
 #include "engines/stream/bodies/fat_box.h"
 
-#include <algorithm>
 #include <cfloat>
-#include <cmath>
+#include <cstring>
 
 #include "base/tuning.h"
+#include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {
 namespace {
 
-/// How far a face may be carried by a body that keeps its course, with its sign.
-float growth(float step, float edge, float updates) {
-  if (!(std::fabs(step) <= edge)) return 0;
-  return std::clamp(step * updates, -tuning::kMostGrowth * edge, tuning::kMostGrowth * edge);
+// All three axes at a time: this is asked of every body when all fat boxes are made anew.
+
+Float4 splat(float value) {
+  return Float4{value, value, value, value};
 }
 
-/// And how far to either side by one that trembles.
-float tremble(float step, float edge, float updates) {
-  if (!(std::fabs(step) <= edge)) return 0;
-  return std::min(std::fabs(step) * updates, tuning::kMostTremble * edge);
+Float4 smaller(Float4 one, Float4 other) {
+  return one < other ? one : other;
+}
+
+Float4 larger(Float4 one, Float4 other) {
+  return one > other ? one : other;
+}
+
+Float4 absolute(Float4 values) {
+  return larger(values, -values);
+}
+
+/// The values where a body moved no further than its own length, else 0.
+Float4 where_near(Float4 step, Float4 edge, Float4 values) {
+  return absolute(step) <= edge ? values : splat(0);
+}
+
+/// How far a face may be carried by a body that keeps its course, with its sign.
+Float4 growth(Float4 step, Float4 edge, float updates) {
+  const Float4 most = edge * tuning::kMostGrowth;
+  return where_near(step, edge, smaller(larger(step * updates, -most), most));
+}
+
+/// And how far to either side by one that may turn, or by any body.
+Float4 to_either_side(Float4 step, Float4 edge, const Outlook& outlook) {
+  const Float4 margin = splat(outlook.margin);
+  if (!outlook.may_turn) return margin;
+  const Float4 reach = smaller(absolute(step) * outlook.updates, edge * tuning::kMostTremble);
+  return larger(where_near(step, edge, reach), margin);
 }
 
 }  // namespace
 
-Aabb fat_box_of(const Aabb& old, const Aabb& now, const Outlook& outlook) {
-  Aabb fat = now;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float edge = now.max[axis] - now.min[axis];
-    const float low_step = now.min[axis] - old.min[axis];
-    const float high_step = now.max[axis] - old.max[axis];
-    const float low_turn = outlook.may_turn ? tremble(low_step, edge, outlook.updates) : 0;
-    const float high_turn = outlook.may_turn ? tremble(high_step, edge, outlook.updates) : 0;
-    const float low = std::min(growth(low_step, edge, outlook.updates), -std::max(low_turn, outlook.margin));
-    const float high =
-        std::max(growth(high_step, edge, outlook.updates), std::max(high_turn, outlook.margin));
-    fat.min[axis] = std::max(std::min(now.min[axis] + low, now.min[axis]), -FLT_MAX);
-    fat.max[axis] = std::min(std::max(now.max[axis] + high, now.max[axis]), FLT_MAX);
-  }
+Aabb fat_box_of(const Aabb& old_box, const Aabb& now_box, const Outlook& outlook) {
+  const BoxLanes old(old_box);
+  const BoxLanes now(now_box);
+  const Float4 edge = now.max - now.min;
+  const Float4 low_step = now.min - old.min;
+  const Float4 high_step = now.max - old.max;
+  const Float4 low =
+      smaller(growth(low_step, edge, outlook.updates), -to_either_side(low_step, edge, outlook));
+  const Float4 high =
+      larger(growth(high_step, edge, outlook.updates), to_either_side(high_step, edge, outlook));
+  const Float4 min = larger(smaller(now.min + low, now.min), splat(-FLT_MAX));
+  const Float4 max = smaller(larger(now.max + high, now.max), splat(FLT_MAX));
+  Aabb fat;
+  std::memcpy(&fat.min[0], &min, sizeof fat.min);
+  std::memcpy(&fat.max[0], &max, sizeof fat.max);
   return fat;
 }
 
-bool is_short_step(const Aabb& old, const Aabb& now) {
-  bool is_short = true;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float most = (now.max[axis] - now.min[axis]) * tuning::kMostTremble;
-    is_short = is_short && std::fabs(now.min[axis] - old.min[axis]) <= most &&
-               std::fabs(now.max[axis] - old.max[axis]) <= most;
-  }
-  return is_short;
+bool is_short_step(const Aabb& old_box, const Aabb& now_box) {
+  const BoxLanes old(old_box);
+  const BoxLanes now(now_box);
+  const Float4 most = (now.max - now.min) * tuning::kMostTremble;
+  return on_all_axes((absolute(now.min - old.min) <= most) & (absolute(now.max - old.max) <= most));
 }
 
 }  // namespace cellsweep::stream

@@ -1,5 +1,6 @@
 #include "engines/stream/bodies/fat_boxes.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -49,11 +50,14 @@ std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
   crew.run([&](unsigned worker) {
     const Share share = Share::of(moved.size(), worker, crew.active());
     std::size_t count = 0;
+    const Aabb* const fat = fat_.data();
+    const Aabb* const boxes = changes.boxes.data();
+    std::uint8_t* const escapes = escapes_.data();
     for (std::size_t i = share.first; i < share.last; ++i) {
       const Slot slot = moved[i];
-      const bool escapes = !encloses(BoxLanes(fat_[slot]), BoxLanes(changes.boxes[slot]));
-      escapes_.data()[i] = escapes ? 1 : 0;
-      count += escapes ? 1 : 0;
+      __builtin_prefetch(&fat[moved[std::min(i + tuning::kAhead, share.last - 1)]]);
+      escapes[i] = encloses(BoxLanes(fat[slot]), BoxLanes(boxes[slot])) ? 0 : 1;
+      count += escapes[i];
     }
     counts[worker] = count;
   });

@@ -99,15 +99,28 @@ struct Sums {
   }
 };
 
+/// Where an edge is longer than its limit. Most are not even with what lies outside of the ranges, which is
+/// asked sooner.
+Int4 may_be_large(const Aabb& box, Float4 limits) {
+  const BoxLanes lanes(box);
+  return (lanes.max - lanes.min) > limits;
+}
+
 Sums sum_large(const Boxes& boxes, const Ranges& ranges, Float4 limits) {
   Sums sums;
-  for (std::size_t i = 0; i < boxes.count(); ++i) {
-    // Most are not even with what lies outside of the ranges, which is asked sooner.
-    const BoxLanes box(boxes[i]);
-    if (!on_any_axis((box.max - box.min) > limits)) continue;
-    const Float4 edges = ranges.edges(boxes[i]);
+  const auto add = [&](const Aabb& box) {
+    const Float4 edges = ranges.edges(box);
     if (on_any_axis(edges > limits)) sums.add(edges);
+  };
+  // Four have one branch.
+  std::size_t i = 0;
+  for (; i + 4 <= boxes.count(); i += 4) {
+    const Int4 one = may_be_large(boxes[i], limits) | may_be_large(boxes[i + 1], limits);
+    const Int4 other = may_be_large(boxes[i + 2], limits) | may_be_large(boxes[i + 3], limits);
+    if (!on_any_axis(one | other)) continue;
+    for (std::size_t j = i; j < i + 4; ++j) add(boxes[j]);
   }
+  for (; i < boxes.count(); ++i) add(boxes[i]);
   return sums;
 }
 

@@ -1,6 +1,7 @@
 #include "engines/stream/pairs/overlap_marks.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -41,6 +42,20 @@ class Walk {
     return !is_new && *marks_++ != 0;
   }
 
+  /// How many of these, the next candidates, neither began nor follow one that ended.
+  std::size_t unchanged(std::span<const SlotPair> next) const {
+    if (next.empty() || pair_key(next.back()) < next_change_) return next.size();
+    const auto is_below = [](const SlotPair& pair, std::uint64_t key) { return pair_key(pair) < key; };
+    const auto end = std::lower_bound(next.begin(), next.end(), next_change_, is_below);
+    return static_cast<std::size_t>(end - next.begin());
+  }
+
+  /// The marks of the next `count`, all of them unchanged().
+  const std::uint8_t* take(std::size_t count) {
+    marks_ += count;
+    return marks_ - count;
+  }
+
   /// Those that ended below `key`.
   void take_ended(std::uint64_t key, SlotPair*& ended) {
     while (!ended_.empty() && pair_key(ended_.front()) < key) {
@@ -68,6 +83,11 @@ class Same {
  public:
   Same(const std::uint8_t* marks, std::size_t first) : marks_(marks + first) {}
   bool next(std::uint64_t, SlotPair*&) { return *marks_++ != 0; }
+  std::size_t unchanged(std::span<const SlotPair> next) const { return next.size(); }
+  const std::uint8_t* take(std::size_t count) {
+    marks_ += count;
+    return marks_ - count;
+  }
   void take_ended(std::uint64_t, SlotPair*&) {}
 
  private:
@@ -81,9 +101,6 @@ struct Output {
   SlotPair* ended;
 };
 
-/// Which candidates are tested: all, of boxes that are in the cache or are not, or those with a new box.
-enum class Which { all_near, all_far, fresh };
-
 bool overlap(const Aabb* boxes, const SlotPair& pair) {
   return cellsweep::overlap(BoxLanes(boxes[pair.a]), BoxLanes(boxes[pair.b]));
 }
@@ -93,18 +110,14 @@ void prefetch(std::span<const SlotPair> candidates, std::size_t i, const Aabb* b
   __builtin_prefetch(&boxes[candidates[std::min(i + tuning::kAhead, candidates.size() - 1)].b]);
 }
 
-template <Which Tested, class Before>
-void test_pairs(std::span<const SlotPair> candidates, const TestedBoxes& tested, Before& before,
-                Output& output) {
+template <bool Far, class Before>
+void test_pairs(std::span<const SlotPair> candidates, const Aabb* boxes, Before& before, Output& output) {
   Output to = output;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const SlotPair pair = candidates[i];
-    if (Tested == Which::all_far) prefetch(candidates, i, tested.boxes);
+    if (Far) prefetch(candidates, i, boxes);
     const bool was = before.next(pair_key(pair), to.ended);
-    bool is = was;
-    if (Tested != Which::fresh || (tested.fresh[pair.a] | tested.fresh[pair.b]) != 0) {
-      is = overlap(tested.boxes, pair);
-    }
+    const bool is = overlap(boxes, pair);
     *to.marks++ = is ? 1 : 0;
     if (is == was) continue;
     if (is) *to.began++ = pair;
@@ -113,12 +126,51 @@ void test_pairs(std::span<const SlotPair> candidates, const TestedBoxes& tested,
   output = to;
 }
 
+/// Of candidates that are what they were, tests those with a fresh box. Which these are nobody can foretell:
+/// a list of them is made without a branch.
+void test_fresh_of(std::span<const SlotPair> run, const TestedBoxes& tested, const std::uint8_t* old_marks,
+                   Output& output) {
+  std::array<std::uint16_t, tuning::kRun> picked;  // NOLINT(*-member-init): written before it is read
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    picked[count] = static_cast<std::uint16_t>(i);
+    count += (tested.fresh[run[i].a] | tested.fresh[run[i].b]) != 0 ? 1 : 0;
+  }
+  std::memmove(output.marks, old_marks, run.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    __builtin_prefetch(&tested.boxes[run[picked[std::min(k + tuning::kAhead, count - 1)]].b]);
+    const SlotPair pair = run[picked[k]];
+    std::uint8_t& mark = output.marks[picked[k]];
+    const bool was = mark != 0;
+    const bool is = overlap(tested.boxes, pair);
+    mark = is ? 1 : 0;
+    *output.began = pair;
+    *output.ended = pair;
+    output.began += is && !was ? 1 : 0;
+    output.ended += was && !is ? 1 : 0;
+  }
+  output.marks += run.size();
+}
+
+template <class Before>
+void test_fresh(std::span<const SlotPair> candidates, const TestedBoxes& tested, Before& before,
+                Output& output) {
+  while (!candidates.empty()) {
+    const std::size_t run = before.unchanged(candidates.first(std::min(candidates.size(), tuning::kRun)));
+    if (run > 0) test_fresh_of(candidates.first(run), tested, before.take(run), output);
+    candidates = candidates.subspan(run);
+    const std::size_t changed = run < tuning::kRun ? std::min<std::size_t>(candidates.size(), 1) : 0;
+    test_pairs<false>(candidates.first(changed), tested.boxes, before, output);
+    candidates = candidates.subspan(changed);
+  }
+}
+
 template <class Before>
 void test_share(std::span<const SlotPair> candidates, bool far, const TestedBoxes& tested, Before& before,
                 Output& output) {
-  if (tested.fresh != nullptr) return test_pairs<Which::fresh>(candidates, tested, before, output);
-  if (far) return test_pairs<Which::all_far>(candidates, tested, before, output);
-  test_pairs<Which::all_near>(candidates, tested, before, output);
+  if (tested.fresh != nullptr) return test_fresh(candidates, tested, before, output);
+  if (far) return test_pairs<true>(candidates, tested.boxes, before, output);
+  test_pairs<false>(candidates, tested.boxes, before, output);
 }
 
 /// Nobody's share is empty.
@@ -169,6 +221,11 @@ void OverlapMarks::make_room(std::size_t candidates, std::size_t ended) {
   spare_.renew(candidates);
   began_.renew(candidates);
   ended_.renew(candidates + ended);
+}
+
+void OverlapMarks::mark_all(std::size_t candidates) {
+  marks_.renew(candidates);
+  std::memset(marks_.data(), 1, candidates);
 }
 
 template <class Test>

@@ -29,6 +29,9 @@ struct BoxesBefore {
 /// A mark for each candidate, whether it overlapped at the last test.
 class OverlapMarks {
  public:
+  /// All candidates, so many, overlap.
+  void mark_all(std::size_t candidates);
+
   /// Tests all candidates, which may be others than before; nothing is known of them.
   void test_all(Crew& crew, std::span<const SlotPair> candidates, const Aabb* boxes);
   void test_all(Crew& crew, std::span<const SlotPair> candidates, const BoxesBefore& boxes);
