@@ -24,7 +24,8 @@ struct BodyChanges {
   std::span<const Slot> removed;  ///< given to nobody else before the next update
   std::span<const Slot> moved;    ///< the box may be the one before again
   std::span<const Slot> inserted;
-  std::size_t bodies = 0;  ///< held now
+  std::size_t bodies = 0;   ///< held now
+  bool ids_ascend = false;  ///< with their slots: pairs in the order of slots need not be sorted again
 
   bool none() const { return removed.empty() && moved.empty() && inserted.empty(); }
 };

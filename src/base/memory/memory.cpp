@@ -36,12 +36,11 @@ void ask_for_huge_pages([[maybe_unused]] std::byte* memory, [[maybe_unused]] std
 
 std::byte* take_memory(std::size_t bytes) {
   if (must_fail()) throw std::bad_alloc();
+  void* memory = nullptr;
   const std::size_t alignment = bytes >= kHugePage ? kHugePage : kAlignment;
-  const std::size_t size = std::max((bytes + alignment - 1) / alignment, std::size_t{1}) * alignment;
-  auto* memory = static_cast<std::byte*>(std::aligned_alloc(alignment, size < bytes ? bytes : size));
-  if (memory == nullptr) throw std::bad_alloc();
-  ask_for_huge_pages(memory, size);
-  return memory;
+  if (posix_memalign(&memory, alignment, std::max(bytes, std::size_t{1})) != 0) throw std::bad_alloc();
+  ask_for_huge_pages(static_cast<std::byte*>(memory), bytes);
+  return static_cast<std::byte*>(memory);
 }
 
 std::byte* grow_memory(std::byte* memory, std::size_t bytes) {

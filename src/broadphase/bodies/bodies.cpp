@@ -150,6 +150,7 @@ BodyChanges Bodies::begin_update() {
   BodyChanges changes = boxes_.begin_update();
   changes.inserted = inserted_;
   changes.bodies = size();
+  changes.ids_ascend = table_.is_ascending();
   return changes;
 }
 

@@ -189,8 +189,8 @@ FoundPairs Stream::find_all(const BodyChanges& changes, bool with_cells, Clock::
   const KeyParts found = have_cells_ ? cells_.found() : KeyParts{&swept_view_, 1};
   candidates_.replace(found);
   candidates_are_pairs_ = !fat_boxes_.have_slack();
-  // The first pairs of all need not be in order here.
-  const bool in_order = !candidates_are_pairs_ || pairs_ > 0;
+  // The first pairs of all need not be in order here, when they will be sorted by ids.
+  const bool in_order = !candidates_are_pairs_ || pairs_ > 0 || changes.ids_ascend;
   if (in_order) {
     candidates_.pairs(crew_);
     timer.lap("sort");
@@ -222,6 +222,7 @@ void Stream::list_pairs_before(const BodyChanges& changes) {
 }
 
 FoundPairs Stream::compare_with_before(std::span<const SlotPair> now) {
+  if (before_.size() == 0) return {.began = now};
   find_changes<SlotPair>(before_.view(), now, {}, began_, ended_);
   return {.began = std::as_const(began_).view(), .ended = std::as_const(ended_).view()};
 }

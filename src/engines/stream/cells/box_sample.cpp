@@ -72,17 +72,19 @@ class Ranges {
   Float4 high_{};
 };
 
-/// The edges beyond which a box is large.
+/// The edges beyond which a box is large. A few boxes tell the middle edge well enough.
 Float4 large_edges(std::span<const Aabb> boxes, const Ranges& ranges) {
-  std::array<std::array<float, kSample>, 3> edges;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Float4 of_box = ranges.edges(boxes[i]);
+  constexpr std::size_t kFew = 32;
+  std::array<std::array<float, kFew>, 3> edges;
+  const std::size_t count = std::min(boxes.size(), kFew);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Float4 of_box = ranges.edges(boxes[i * boxes.size() / count]);
     for (std::size_t axis = 0; axis < 3; ++axis) edges[axis][i] = of_box[axis];
   }
   Float4 limits{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    float* const middle = edges[axis].data() + boxes.size() / 2;
-    std::nth_element(edges[axis].data(), middle, edges[axis].data() + boxes.size());
+    float* const middle = edges[axis].data() + count / 2;
+    std::nth_element(edges[axis].data(), middle, edges[axis].data() + count);
     limits[axis] = std::min(*middle * kLargeEdges, FLT_MAX);
   }
   return limits;
@@ -99,28 +101,30 @@ struct Sums {
   }
 };
 
-/// Where an edge is longer than its limit. Most are not even with what lies outside of the ranges, which is
+/// Whether an edge is longer than its limit. Most are not even with what lies outside of the ranges, which is
 /// asked sooner.
-Int4 may_be_large(const Aabb& box, Float4 limits) {
+bool may_be_large(const Aabb& box, Float4 limits) {
   const BoxLanes lanes(box);
-  return (lanes.max - lanes.min) > limits;
+  return on_any_axis((lanes.max - lanes.min) > limits);
 }
 
+// Nobody can foretell which are large: a list of them is made without a branch.
 Sums sum_large(const Boxes& boxes, const Ranges& ranges, Float4 limits) {
+  constexpr std::size_t kPicked = 256;
+  std::array<std::size_t, kPicked> picked;
   Sums sums;
-  const auto add = [&](const Aabb& box) {
-    const Float4 edges = ranges.edges(box);
-    if (on_any_axis(edges > limits)) sums.add(edges);
-  };
-  // Four have one branch.
-  std::size_t i = 0;
-  for (; i + 4 <= boxes.count(); i += 4) {
-    const Int4 one = may_be_large(boxes[i], limits) | may_be_large(boxes[i + 1], limits);
-    const Int4 other = may_be_large(boxes[i + 2], limits) | may_be_large(boxes[i + 3], limits);
-    if (!on_any_axis(one | other)) continue;
-    for (std::size_t j = i; j < i + 4; ++j) add(boxes[j]);
+  for (std::size_t first = 0; first < boxes.count(); first += kPicked) {
+    const std::size_t last = std::min(first + kPicked, boxes.count());
+    std::size_t count = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      picked[count] = i;
+      count += may_be_large(boxes[i], limits) ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const Float4 edges = ranges.edges(boxes[picked[k]]);
+      if (on_any_axis(edges > limits)) sums.add(edges);
+    }
   }
-  for (; i < boxes.count(); ++i) add(boxes[i]);
   return sums;
 }
 
