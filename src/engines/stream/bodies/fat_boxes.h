@@ -14,7 +14,6 @@
 
 namespace cellsweep {
 struct BodyChanges;
-struct ChangedBody;
 }  // namespace cellsweep
 
 namespace cellsweep::stream {

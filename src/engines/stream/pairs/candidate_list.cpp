@@ -45,6 +45,14 @@ std::span<const SlotPair> CandidateList::pairs(Crew& crew) {
   return std::as_const(pairs_).view();
 }
 
+std::span<const SlotPair> CandidateList::take(Crew& crew) {
+  pairs(crew);
+  std::swap(pairs_, spare_);
+  pairs_.shrink(0);
+  size_ = 0;
+  return std::as_const(spare_).view();
+}
+
 void CandidateList::replace(KeyParts found) {
   found_.assign(found.begin(), found.end());
   notes_.clear();

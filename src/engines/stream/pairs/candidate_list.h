@@ -21,11 +21,17 @@ struct SlotPairChanges {
 };
 
 /// A set of pairs, kept in ascending order, so that it does not matter in which order they are found. The
-/// keys that it is given stay where they are until the next call.
+/// keys that it is given must stay where they are until pairs() or take() was called.
 class CandidateList {
  public:
+  /// No pairs; returns those that there were, valid until the next change.
+  std::span<const SlotPair> take(Crew& crew);
+
   /// The pairs are now those of `found`, in any order, each once. They are sorted when pairs() is asked for.
   void replace(KeyParts found);
+
+  /// After replace(), while nobody asked for pairs(): what it was given.
+  KeyParts found() const { return found_; }
 
   /// Pairs began and ended, in any order; one that is in both lists did neither.
   SlotPairChanges change(Crew& crew, KeyParts began, KeyParts ended);

@@ -173,6 +173,15 @@ void test_share(std::span<const SlotPair> candidates, bool far, const TestedBoxe
   test_pairs<false>(candidates, tested.boxes, before, output);
 }
 
+/// Returns the end of what it wrote. There is room for all.
+SlotPair* copy_marked(std::span<const SlotPair> candidates, const std::uint8_t* marks, SlotPair* to) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    *to = candidates[i];
+    to += marks[i];
+  }
+  return to;
+}
+
 /// Nobody's share is empty.
 unsigned workers_for(const Crew& crew, std::span<const SlotPair> candidates) {
   return candidates.size() < crew.active() ? 1 : crew.active();
@@ -284,14 +293,38 @@ SlotPairChanges OverlapMarks::refresh(Crew& crew, std::span<const SlotPair> cand
   return {std::as_const(began_).view(), std::as_const(ended_).view()};
 }
 
+// Where the lists and the marks differ nobody can foretell: there is no branch on them.
+SlotPairChanges OverlapMarks::compare(std::span<const SlotPair> before, std::span<const SlotPair> now) {
+  began_.renew(now.size());
+  ended_.renew(before.size());
+  SlotPair* began = began_.data();
+  SlotPair* ended = ended_.data();
+  const std::uint8_t* const was = spare_.data();
+  const std::uint8_t* const is = marks_.data();
+  std::size_t i = 0, j = 0;
+  while (i < before.size() && j < now.size()) {
+    const std::uint64_t key_before = pair_key(before[i]);
+    const std::uint64_t key_now = pair_key(now[j]);
+    const unsigned was_it = key_before <= key_now ? was[i] : 0U;
+    const unsigned is_it = key_now <= key_before ? is[j] : 0U;
+    *ended = before[i];
+    *began = now[j];
+    ended += was_it & ~is_it;
+    began += is_it & ~was_it;
+    i += key_before <= key_now ? 1 : 0;
+    j += key_now <= key_before ? 1 : 0;
+  }
+  ended = copy_marked(before.subspan(i), was + i, ended);
+  began = copy_marked(now.subspan(j), is + j, began);
+  began_.shrink(static_cast<std::size_t>(began - began_.data()));
+  ended_.shrink(static_cast<std::size_t>(ended - ended_.data()));
+  return {std::as_const(began_).view(), std::as_const(ended_).view()};
+}
+
 void OverlapMarks::list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const {
   marked.renew(candidates.size());
-  SlotPair* to = marked.data();
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    *to = candidates[i];
-    to += marks_.data()[i];
-  }
-  marked.shrink(static_cast<std::size_t>(to - marked.data()));
+  const SlotPair* const end = copy_marked(candidates, marks_.data(), marked.data());
+  marked.shrink(static_cast<std::size_t>(end - marked.data()));
 }
 
 std::size_t OverlapMarks::bytes() const {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "base/crew.h"
 #include "base/memory/array.h"
@@ -39,6 +40,12 @@ class OverlapMarks {
   /// Tests candidates that differ from those before by `changes`, and says which began and ended to overlap.
   SlotPairChanges refresh(Crew& crew, std::span<const SlotPair> candidates, const SlotPairChanges& changes,
                           const TestedBoxes& tested);
+
+  /// Keeps the marks for compare(): those that follow, by mark_all() or test_all(), are of other candidates.
+  void keep() { std::swap(marks_, spare_); }
+
+  /// What differs between the marked ones of the candidates before, whose marks were kept, and of those now.
+  SlotPairChanges compare(std::span<const SlotPair> before, std::span<const SlotPair> now);
 
   /// Writes the marked ones of the candidates to a list.
   void list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const;

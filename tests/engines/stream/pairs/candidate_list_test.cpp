@@ -66,7 +66,10 @@ TEST_P(CandidateListTest, IsReplacedByWhatIsFoundAnew) {
   Parts first{{1, 2}, {3, 4}};
   list_.replace(first.view());
   Parts second{{3, 4}, {0, 9}};
+  EXPECT_THAT(list_.take(crew_), ElementsAre(SlotPair{1, 2}, SlotPair{3, 4}));
+  EXPECT_EQ(list_.size(), 0U);
   list_.replace(second.view());
+  EXPECT_THAT(list_.found(), testing::SizeIs(1));
   EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{0, 9}, SlotPair{3, 4}));
   Parts none(2);
   list_.replace(none.view());

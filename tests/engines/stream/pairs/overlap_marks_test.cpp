@@ -76,7 +76,18 @@ class OverlapMarksTest : public testing::TestWithParam<unsigned> {
   void refresh(bool fresh_ones) {
     const Pairs& before = known_;
     const TestedBoxes tested{boxes_.data(), fresh_ones ? fresh_.data() : nullptr};
-    const SlotPairChanges changes = marks_.refresh(crew_, candidates_, {began_, ended_}, tested);
+    expect(marks_.refresh(crew_, candidates_, {began_, ended_}, tested), before);
+  }
+
+  /// Other candidates, all tested, compared with those before.
+  void compare(const Pairs& next) {
+    const Pairs candidates_before = std::exchange(candidates_, next);
+    marks_.keep();
+    marks_.test_all(crew_, candidates_, boxes_.data());
+    expect(marks_.compare(candidates_before, candidates_), known_);
+  }
+
+  void expect(const SlotPairChanges& changes, const Pairs& before) {
     const Pairs now = truth();
     Pairs began;
     Pairs ended;
@@ -142,6 +153,26 @@ TEST_P(OverlapMarksTest, TellWhatEndedWhereAllCandidatesEnd) {
   refresh(true);
   replace_candidates({candidates_[7]});
   refresh(true);
+}
+
+TEST_P(OverlapMarksTest, TellWhatBeganAndEndedWhereAllCandidatesAreOthers) {
+  compare({});
+  for (int round = 0; round < 50 && !HasFailure(); ++round) {
+    const Pairs before = candidates_;
+    change_candidates(round % 5 == 0 ? 400 : 40);
+    const Pairs next = std::exchange(candidates_, before);
+    if (round % 2 == 0) move_some();
+    compare(next);
+  }
+  EXPECT_GT(known_.size(), 10U);
+  compare({});
+  EXPECT_THAT(known_, IsEmpty());
+}
+
+TEST_P(OverlapMarksTest, MayBeThatAllOverlap) {
+  change_candidates(100);
+  marks_.mark_all(candidates_.size());
+  EXPECT_EQ(marked(), candidates_);
 }
 
 // Whichever share of the candidates it falls into, and behind or before all that there are.

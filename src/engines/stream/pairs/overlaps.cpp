@@ -1,0 +1,123 @@
+#include "engines/stream/pairs/overlaps.h"
+
+#include <utility>
+
+#include "base/tuning.h"
+
+namespace cellsweep::stream {
+
+void Overlaps::set_aside(const BodyChanges& changes) {
+  repair_marks(changes);
+  marks_.keep();
+  before_ = list_.take(crew_);
+}
+
+void Overlaps::replace(KeyParts found, bool are_pairs) {
+  list_.replace(found);
+  are_pairs_ = are_pairs;
+}
+
+bool Overlaps::are_in_order(const BodyChanges& changes) const {
+  return !are_pairs_ || !before_.empty() || changes.ids_ascend;
+}
+
+FoundPairs Overlaps::compare(const BodyChanges& changes) {
+  marks_say_ = are_pairs_ ? Marks::all_overlap : Marks::true_of_it;
+  if (!are_in_order(changes)) return {.more_began = list_.found()};
+  const std::span<const SlotPair> now = list_.pairs(crew_);
+  const std::span<const SlotPair> before = std::exchange(before_, {});
+  if (are_pairs_ && before.empty()) return {.began = now};
+  if (are_pairs_) {
+    marks_.mark_all(now.size());
+  } else {
+    crew_.plan(now.size(), tuning::kTestGuess);
+    marks_.test_all(crew_, now, changes.boxes.data());
+    tests_ += now.size();
+  }
+  const SlotPairChanges found = marks_.compare(before, now);
+  return {.began = found.began, .ended = found.ended};
+}
+
+// Where marks were not kept up to date, they are what the boxes of the last update say.
+void Overlaps::repair_marks(const BodyChanges& changes) {
+  if (marks_say_ == Marks::true_of_it) return;
+  const std::span<const SlotPair> candidates = list_.pairs(crew_);
+  if (marks_say_ == Marks::all_overlap) {
+    marks_.mark_all(candidates.size());
+  } else {
+    crew_.plan(candidates.size(), tuning::kTestGuess);
+    mark_fresh(changes, 1);
+    marks_.test_all(crew_, candidates, {changes.boxes.data(), changes.before.data(), fresh_.data()});
+    mark_fresh(changes, 0);
+    tests_ += candidates.size();
+  }
+  marks_say_ = Marks::true_of_it;
+}
+
+SlotPairChanges Overlaps::change_candidates(const BodyChanges& changes, const CellTree& cells) {
+  if (!are_pairs_) repair_marks(changes);
+  return list_.change(crew_, cells.began(), cells.ended());
+}
+
+FoundPairs Overlaps::test(const BodyChanges& changes, const SlotPairChanges& of_candidates) {
+  if (are_pairs_) return {.began = of_candidates.began, .ended = of_candidates.ended};
+  repair_marks(changes);
+  const std::span<const SlotPair> candidates = list_.pairs(crew_);
+  crew_.plan(candidates.size(), tuning::kTestGuess);
+  tests_ += candidates.size();
+  const bool few = changes.moved.size() + changes.inserted.size() < changes.bodies / tuning::kFewFresh;
+  if (few) mark_fresh(changes, 1);
+  const SlotPairChanges found = marks_.refresh(crew_, candidates, of_candidates,
+                                               {changes.boxes.data(), few ? fresh_.data() : nullptr});
+  if (few) mark_fresh(changes, 0);
+  return {.began = found.began, .ended = found.ended};
+}
+
+bool Overlaps::are_few(const BodyChanges& changes) const {
+  const std::size_t count = changes.moved.size() + changes.inserted.size() + changes.removed.size();
+  return count * tuning::kCandidatesOfQuery < list_.size();
+}
+
+void Overlaps::change_cells_of_few(CellTree& cells, const BodyChanges& changes,
+                                   std::span<const FatBoxChange> fat_changes) {
+  mark_fresh(changes, 1);
+  few_.ask_before(cells, changes, fresh_.data());
+  for (const FatBoxChange& change : fat_changes) {
+    cells.change_one(change);
+    list_.note(crew_, cells.began(), cells.ended());
+  }
+}
+
+FoundPairs Overlaps::find_of_few(CellTree& cells, const BodyChanges& changes) {
+  few_.ask_now(cells, changes, fresh_.data());
+  mark_fresh(changes, 0);
+  if (!are_pairs_) marks_say_ = Marks::stale;
+  const SlotPairChanges found = few_.changes(crew_);
+  return {.began = found.began, .ended = found.ended};
+}
+
+FoundPairs Overlaps::end_all(const BodyChanges& changes) {
+  repair_marks(changes);
+  marks_.list_marked(list_.pairs(crew_), ended_);
+  list_ = {};
+  marks_ = {};
+  few_ = {};
+  fresh_ = Vector<std::uint8_t>();
+  are_pairs_ = true;
+  marks_say_ = Marks::all_overlap;
+  return {.ended = std::as_const(ended_).view()};
+}
+
+void Overlaps::mark_fresh(const BodyChanges& changes, std::uint8_t mark) {
+  make_room(fresh_, changes.boxes.size());
+  fresh_.resize(changes.boxes.size(), 0);
+  for (const Slot slot : changes.removed) fresh_[slot] = mark;
+  for (const Slot slot : changes.moved) fresh_[slot] = mark;
+  for (const Slot slot : changes.inserted) fresh_[slot] = mark;
+}
+
+std::size_t Overlaps::bytes() const {
+  return list_.bytes() + marks_.bytes() + few_.bytes() + ended_.bytes() + fresh_.capacity();
+}
+
+}  // namespace cellsweep::stream

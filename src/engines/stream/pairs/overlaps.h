@@ -1,0 +1,79 @@
+/// @file
+/// The pairs of engine `stream`: candidates, whose fat boxes overlap, and which of them overlap themselves.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/crew.h"
+#include "base/memory/array.h"
+#include "base/memory/memory.h"
+#include "cellsweep/engine/engine.h"
+#include "engines/stream/bodies/fat_boxes.h"
+#include "engines/stream/cells/cell_tree.h"
+#include "engines/stream/pairs/candidate_list.h"
+#include "engines/stream/pairs/overlap_marks.h"
+#include "engines/stream/pairs/pairs_of_few.h"
+
+namespace cellsweep::stream {
+
+/// Brought up to date once in each update, in one of the ways below. `changes` are those of the update.
+class Overlaps {
+ public:
+  explicit Overlaps(Crew& crew) : crew_(crew) {}
+
+  /// From now on fat boxes may be larger than boxes, and candidates need not be pairs.
+  void loosen() { are_pairs_ = false; }
+
+  /// All will be found anew: what there is is kept for compare(). To be called before the search, whose memory
+  /// may have it.
+  void set_aside(const BodyChanges& changes);
+  /// The candidates are now those of `found`. `are_pairs` when fat boxes are the boxes themselves.
+  void replace(KeyParts found, bool are_pairs);
+  /// After replace(): what differs from the pairs before.
+  FoundPairs compare(const BodyChanges& changes);
+  /// Whether that is a list in the order of slots; the first pairs of all are not put in it, when they will
+  /// have to be sorted by ids.
+  bool are_in_order(const BodyChanges& changes) const;
+  void put_in_order() { list_.pairs(crew_); }
+
+  /// Candidates began and ended, as the cells say. What that was is valid until the next update.
+  SlotPairChanges change_candidates(const BodyChanges& changes, const CellTree& cells);
+  /// Tests the candidates, after they changed by `of_candidates`.
+  FoundPairs test(const BodyChanges& changes, const SlotPairChanges& of_candidates);
+
+  /// Whether so few bodies changed that the cells should be asked for their pairs.
+  bool are_few(const BodyChanges& changes) const;
+  /// Asks the cells, and changes them, one body at a time.
+  void change_cells_of_few(CellTree& cells, const BodyChanges& changes,
+                           std::span<const FatBoxChange> fat_changes);
+  FoundPairs find_of_few(CellTree& cells, const BodyChanges& changes);
+
+  /// Nobody is left: all pairs end, and the memory goes back.
+  FoundPairs end_all(const BodyChanges& changes);
+
+  std::size_t candidates() const { return list_.size(); }
+  /// Comparisons of two boxes so far.
+  std::uint64_t tests() const { return tests_; }
+  std::size_t bytes() const;
+
+ private:
+  /// What the marks say of the update before.
+  enum class Marks { all_overlap, true_of_it, stale };
+
+  void mark_fresh(const BodyChanges& changes, std::uint8_t mark);
+  void repair_marks(const BodyChanges& changes);
+
+  Crew& crew_;
+  CandidateList list_;
+  OverlapMarks marks_;
+  PairsOfFew few_;
+  bool are_pairs_ = true;  // all candidates
+  Marks marks_say_ = Marks::all_overlap;
+  std::span<const SlotPair> before_;  // the candidates that were replaced
+  Array<SlotPair> ended_;
+  Vector<std::uint8_t> fresh_;  // by slot, 0 between updates
+  std::uint64_t tests_ = 0;
+};
+
+}  // namespace cellsweep::stream

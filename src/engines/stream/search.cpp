@@ -1,0 +1,64 @@
+#include "engines/stream/search.h"
+
+#include "base/tuning.h"
+
+namespace cellsweep::stream {
+
+Search::Search(Crew& crew, const Kernels& kernels, PieceFinder* finder, std::size_t max_pairs)
+    : kernels_(kernels), finder_(finder), max_pairs_(max_pairs), cells_(crew, kernels, finder) {}
+
+std::size_t Search::generous_limit() const {
+  return max_pairs_ < kAnyNumber / 4 ? 2 * max_pairs_ + tuning::kFewCandidates : kAnyNumber;
+}
+
+// Fat boxes that overlap are no reason to refuse, but when there are very many, boxes are put in their place.
+void Search::find_all(FatBoxes& fat_boxes, std::span<const Aabb> boxes, bool with_cells) {
+  if (fat_boxes.have_slack()) {
+    try {
+      return find_among({fat_boxes.data(boxes), boxes.size()}, generous_limit(), with_cells);
+    } catch (const TooManyPairs&) {
+      fat_boxes.drop_slack();
+    }
+  }
+  find_among(boxes, max_pairs_, with_cells);
+  cells_.limit_pairs(generous_limit());
+}
+
+void Search::find_among(std::span<const Aabb> boxes, std::size_t most, bool with_cells) {
+  has_cells_ = with_cells || !sweep(boxes, most);
+  if (has_cells_) {
+    cells_.limit_pairs(most);
+    cells_.build({boxes.data(), boxes.size()});
+  } else {
+    cells_.clear();
+  }
+  built_copies_ = cells_.copies();
+}
+
+// False when the world is not a small one, or cells take less.
+bool Search::sweep(std::span<const Aabb> boxes, std::size_t most) {
+  if (finder_ != nullptr || kernels_.sweep == nullptr || boxes.size() > tuning::kMostSwept) return false;
+  swept_.clear();
+  swept_.buffer().most = most;
+  if (!sweep_.find(kernels_, boxes, swept_)) return false;
+  swept_view_ = swept_.view();
+  return true;
+}
+
+bool Search::change(std::span<const FatBoxChange> changes) {
+  try {
+    cells_.change(changes);
+  } catch (const TooManyPairs&) {
+    return false;
+  }
+  return true;
+}
+
+void Search::clear() {
+  cells_.clear();
+  has_cells_ = false;
+  sweep_ = {};
+  swept_ = {};
+}
+
+}  // namespace cellsweep::stream

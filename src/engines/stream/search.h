@@ -1,0 +1,68 @@
+/// @file
+/// Finds all that overlap among the boxes of engine `stream`: by a sweep, where there are few, or by cells,
+/// which can be changed then.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/crew.h"
+#include "base/pair_sort.h"
+#include "cellsweep/engine/piece_finder.h"
+#include "engines/stream/bodies/fat_boxes.h"
+#include "engines/stream/cells/cell_tree.h"
+#include "engines/stream/sweep/sweep.h"
+
+namespace cellsweep::stream {
+
+class Search {
+ public:
+  static constexpr std::size_t kAnyNumber = ~std::size_t{0};
+
+  /// `finder` finds pairs in the kernels' place; null for them. More pairs than `max_pairs` are refused.
+  Search(Crew& crew, const Kernels& kernels, PieceFinder* finder, std::size_t max_pairs);
+
+  /// Finds all pairs of fat boxes anew: found(). Makes cells for it when they are wanted, or when a sweep
+  /// would take more. Where fat boxes have far too many pairs, they become the boxes themselves again.
+  /// Throws TooManyPairs when boxes have more than allowed.
+  void find_all(FatBoxes& fat_boxes, std::span<const Aabb> boxes, bool with_cells);
+
+  /// Whether the last find_all() made cells. They follow the bodies by change() and CellTree::change_one().
+  bool has_cells() const { return has_cells_; }
+  CellTree& cells() { return cells_; }
+  const CellTree& cells() const { return cells_; }
+
+  /// Changes the cells. False when so many candidates began that everything is to be found anew: that is no
+  /// reason to refuse, for all of them may have become too large.
+  bool change(std::span<const FatBoxChange> changes);
+
+  /// Cells wear out: boxes that enter leave gaps in memory behind and crowd cells.
+  bool is_worn_out() const { return cells_.copies() > 2 * built_copies_ + 1024; }
+
+  /// Nobody is left.
+  void clear();
+
+  /// Valid until the next call.
+  KeyParts found() const { return has_cells_ ? cells_.found() : KeyParts{&swept_view_, 1}; }
+  /// Comparisons of two boxes so far.
+  std::uint64_t tests() const { return cells_.tests() + sweep_.tests(); }
+  std::size_t bytes() const { return cells_.bytes() + sweep_.bytes() + swept_.bytes(); }
+
+ private:
+  std::size_t generous_limit() const;
+  void find_among(std::span<const Aabb> boxes, std::size_t most, bool with_cells);
+  bool sweep(std::span<const Aabb> boxes, std::size_t most);
+
+  const Kernels& kernels_;
+  PieceFinder* finder_;
+  std::size_t max_pairs_;
+  CellTree cells_;
+  bool has_cells_ = false;
+  std::uint64_t built_copies_ = 0;
+  Sweep sweep_;
+  Keys swept_;
+  std::span<const std::uint64_t> swept_view_;
+};
+
+}  // namespace cellsweep::stream
