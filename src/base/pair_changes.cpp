@@ -18,14 +18,14 @@ class RunCopy {
 
   /// All that is below the key.
   void until(std::uint64_t key) {
-    // Changes are many or few: look nearby first.
-    std::size_t step = 1;
-    while (step < from_.size() && pair_key(from_[step]) < key) step *= 2;
-    const auto last = from_.begin() + static_cast<std::ptrdiff_t>(std::min(step + 1, from_.size()));
-    const auto end = std::lower_bound(
-        from_.begin(), last, key, [](const AnyPair& pair, std::uint64_t k) { return pair_key(pair) < k; });
-    to_ = std::copy(from_.begin(), end, to_);
-    from_ = from_.subspan(static_cast<std::size_t>(end - from_.begin()));
+    // Changes are many or few: most runs are short.
+    std::size_t blocks = 0;
+    while (from_.size() > kBlock && pair_key(from_[kBlock]) < key && blocks < kBlocks) {
+      copy(kBlock);
+      ++blocks;
+    }
+    if (blocks == kBlocks) copy_far(key);
+    while (!from_.empty() && pair_key(from_[0]) < key) copy(1);
   }
   void leave_out(std::uint64_t key) {
     if (!from_.empty() && pair_key(from_[0]) == key) from_ = from_.subspan(1);
@@ -36,6 +36,24 @@ class RunCopy {
   AnyPair* finish() { return std::copy(from_.begin(), from_.end(), to_); }
 
  private:
+  static constexpr std::size_t kBlock = 8;
+  static constexpr std::size_t kBlocks = 8;
+
+  void copy(std::size_t count) {
+    to_ = std::copy_n(from_.data(), count, to_);
+    from_ = from_.subspan(count);
+  }
+
+  // Looks nearby first.
+  void copy_far(std::uint64_t key) {
+    std::size_t step = 1;
+    while (step < from_.size() && pair_key(from_[step]) < key) step *= 2;
+    const auto last = from_.begin() + static_cast<std::ptrdiff_t>(std::min(step + 1, from_.size()));
+    const auto end = std::lower_bound(
+        from_.begin(), last, key, [](const AnyPair& pair, std::uint64_t k) { return pair_key(pair) < k; });
+    copy(static_cast<std::size_t>(end - from_.begin()));
+  }
+
   std::span<const AnyPair> from_;
   AnyPair* to_;
 };

@@ -17,11 +17,17 @@ namespace {
 /// Boxes given again are recognised so many at a time.
 constexpr std::size_t kBlock = 32;
 
+/// Looks at all of them, which takes less than to stop early.
+bool are_all(const BodyState* states, std::size_t count, BodyState state) {
+  unsigned others = 0;
+  for (std::size_t i = 0; i < count; ++i) others |= static_cast<unsigned>(states[i] ^ state);
+  return others == 0;
+}
+
 }  // namespace
 
 bool StagedBoxes::are_at_rest(Slot first, std::size_t count) const {
-  return std::all_of(&states_[first], &states_[first] + count,
-                     [](BodyState state) { return state == kAtRest; });
+  return are_all(&states_[first], count, kAtRest);
 }
 
 bool StagedBoxes::are_at_rest(Slot first, std::span<const Aabb> boxes) const {
@@ -165,8 +171,12 @@ BodyChanges StagedBoxes::begin_update() {
 
 void StagedBoxes::swap_all() {
   if (moved_.size() < boxes_.size()) {
-    for (Slot slot = 0; slot < boxes_.size(); ++slot) {
-      if (states_[slot] != kMoved) next_[slot] = boxes_[slot];
+    for (Slot slot = 0; slot < boxes_.size(); slot += kBlock) {
+      const auto end = static_cast<Slot>(std::min(slot + kBlock, boxes_.size()));
+      if (are_all(&states_[slot], end - slot, kMoved)) continue;
+      for (Slot still = slot; still < end; ++still) {
+        if (states_[still] != kMoved) next_[still] = boxes_[still];
+      }
     }
     for (const Slot slot : removed_.view()) next_[slot] = kNobody;
   }

@@ -101,30 +101,34 @@ struct Sums {
   }
 };
 
-/// Whether an edge is longer than its limit. Most are not even with what lies outside of the ranges, which is
+/// Where an edge is longer than its limit. Most are not even with what lies outside of the ranges, which is
 /// asked sooner.
-bool may_be_large(const Aabb& box, Float4 limits) {
+Int4 may_be_large(const Aabb& box, Float4 limits) {
   const BoxLanes lanes(box);
-  return on_any_axis((lanes.max - lanes.min) > limits);
+  return (lanes.max - lanes.min) > limits;
 }
 
-// Nobody can foretell which are large: a list of them is made without a branch.
+// Four boxes are asked at a time. Which of them are large nobody can foretell: a list is made without a branch.
 Sums sum_large(const Boxes& boxes, const Ranges& ranges, Float4 limits) {
-  constexpr std::size_t kPicked = 256;
-  std::array<std::size_t, kPicked> picked;
   Sums sums;
-  for (std::size_t first = 0; first < boxes.count(); first += kPicked) {
-    const std::size_t last = std::min(first + kPicked, boxes.count());
+  const auto add = [&](std::size_t i) {
+    const Float4 edges = ranges.edges(boxes[i]);
+    if (on_any_axis(edges > limits)) sums.add(edges);
+  };
+  std::size_t i = 0;
+  for (; i + 4 <= boxes.count(); i += 4) {
+    std::array<Int4, 4> large;
+    for (std::size_t k = 0; k < 4; ++k) large[k] = may_be_large(boxes[i + k], limits);
+    if (!on_any_axis((large[0] | large[1]) | (large[2] | large[3]))) continue;
+    std::array<std::size_t, 4> picked;
     std::size_t count = 0;
-    for (std::size_t i = first; i < last; ++i) {
-      picked[count] = i;
-      count += may_be_large(boxes[i], limits) ? 1 : 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      picked[count] = i + k;
+      count += on_any_axis(large[k]) ? 1 : 0;
     }
-    for (std::size_t k = 0; k < count; ++k) {
-      const Float4 edges = ranges.edges(boxes[picked[k]]);
-      if (on_any_axis(edges > limits)) sums.add(edges);
-    }
+    for (std::size_t k = 0; k < count; ++k) add(picked[k]);
   }
+  for (; i < boxes.count(); ++i) add(i);
   return sums;
 }
 
