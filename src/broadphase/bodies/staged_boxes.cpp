@@ -15,7 +15,7 @@ namespace cellsweep {
 namespace {
 
 /// Boxes given again are recognised so many at a time.
-constexpr std::size_t kBlock = 32;
+constexpr std::size_t kMoveBlock = 32;
 
 }  // namespace
 
@@ -83,8 +83,8 @@ void StagedBoxes::move(Crew& crew, const MovedBodies& bodies) {
 // Returns how many slots it wrote to the list.
 std::size_t StagedBoxes::move_share(const MovedBodies& bodies, Share share, Slot* moved) {
   Slot* end = moved;
-  for (std::size_t first = share.first; first < share.last; first += kBlock) {
-    const std::size_t count = std::min(kBlock, share.last - first);
+  for (std::size_t first = share.first; first < share.last; first += kMoveBlock) {
+    const std::size_t count = std::min(kMoveBlock, share.last - first);
     end = move_block({bodies.slots.subspan(first, count), bodies.boxes.subspan(first, count), bodies.clean,
                       bodies.ascends},
                      end);
