@@ -10,7 +10,6 @@
 namespace spu_emu::isa {
 
 namespace {
-constexpr std::uint32_t kHardwareSize = spu_emu::kLocalStoreSize;
 constexpr unsigned kRegisters = 128;
 
 constexpr bool is_exit(std::uint32_t code) {

@@ -8,11 +8,11 @@
 #include "mfc/fault.h"
 #include "mfc/format.h"
 #include "mfc/spe_directory.h"
+#include "mfc/tag_table.h"
 
 namespace spu_emu {
 
 namespace {
-constexpr std::uint32_t kTagCount = 32;
 constexpr std::uint32_t kProxyTagCount = 16;
 
 bool is_small_size(std::uint32_t size) {

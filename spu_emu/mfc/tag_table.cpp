@@ -3,8 +3,6 @@
 namespace spu_emu {
 
 namespace {
-constexpr std::uint32_t kTagCount = 32;
-
 std::uint32_t tag_bits(std::uint32_t tag, std::uint32_t count) {
   return static_cast<std::uint32_t>(((std::uint64_t{1} << count) - 1) << tag);
 }

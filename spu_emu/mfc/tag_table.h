@@ -7,6 +7,9 @@
 
 namespace spu_emu {
 
+/// How many tags an SPU's transfers can have.
+inline constexpr std::uint32_t kTagCount = 32;
+
 /// Used by the SPU's own thread only.
 class TagTable {
  public:

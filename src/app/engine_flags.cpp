@@ -15,7 +15,7 @@
 namespace cellsweep::app {
 namespace {
 
-constexpr const char* kGroup = "Settings of engines";
+constexpr const char* kEngineGroup = "Settings of engines";
 constexpr std::string_view kThreads = "threads";
 constexpr std::string_view kCycles = "cycles";
 constexpr std::string_view kSpeEngine = "spe_engine";
@@ -95,14 +95,14 @@ void EngineFlags::add_setting(CLI::App& command, const SharedSetting& setting) {
     command
         .add_flag_callback(
             flag, [take] { take("true"); }, help_of(setting))
-        ->group(kGroup);
+        ->group(kEngineGroup);
     return;
   }
   const auto take_all = [take](const std::vector<std::string>& typed) {
     for (const std::string& one : typed) take(one);
   };
   auto* option = command.add_option_function<std::vector<std::string>>(flag, take_all, help_of(setting));
-  option->type_name(value_name(info))->allow_extra_args(false)->group(kGroup);
+  option->type_name(value_name(info))->allow_extra_args(false)->group(kEngineGroup);
   if (info.kind == SettingKind::texts) {
     option->take_all();
   } else {
@@ -116,14 +116,14 @@ void EngineFlags::add_ppu_flags(CLI::App& command) {
                   "With --cycles: what takes 1 here takes so much on a Cell's PPU (assumed)")
       ->check(number(0))
       ->type_name("FACTOR")
-      ->group(kGroup)
+      ->group(kEngineGroup)
       ->capture_default_str();
   command
       .add_option("--spu-start-us", ppu_costs_.spu_start_us,
                   "With --cycles: microseconds to start a frame's SPE threads (the document's static floor)")
       ->check(number(0))
       ->type_name("MICROSECONDS")
-      ->group(kGroup)
+      ->group(kEngineGroup)
       ->capture_default_str();
 }
 

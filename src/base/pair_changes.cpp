@@ -2,13 +2,10 @@
 
 #include <algorithm>
 
+#include "base/pair_of.h"
+
 namespace cellsweep {
 namespace {
-
-template <class AnyPair>
-AnyPair pair_of(std::uint64_t key) {
-  return {static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
-}
 
 /// Copies a list from place to place.
 template <class AnyPair>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/key_sort.h"
+#include "base/pair_of.h"
 #include "base/tuning.h"
 
 namespace cellsweep {
@@ -17,11 +18,6 @@ using tuning::kFewKeys;
 using tuning::kNarrowest;
 using tuning::kOneBucket;
 using tuning::kOneCount;
-
-template <class AnyPair>
-AnyPair pair_of(Key key) {
-  return {static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
-}
 
 template <class AnyPair>
 void insertion_sort(AnyPair* pairs, std::size_t count) {
@@ -184,6 +180,13 @@ void gather(KeyParts parts, Array<Key>& scratch) {
   for (const std::span<const Key> part : parts) end = std::copy(part.begin(), part.end(), end);
 }
 
+template <class AnyPair>
+void sort_buckets(Crew& crew, Distribution& distribution, AnyPair* sorted) {
+  crew.for_each(kBuckets, 8, [&](unsigned, std::size_t bucket) {
+    sort_bucket(distribution.bucket(bucket), sorted + distribution.first(bucket));
+  });
+}
+
 }  // namespace
 
 template <class AnyPair>
@@ -198,9 +201,7 @@ void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array
   }
   Distribution distribution(crew, parts, scratch);
   distribution.run(total);
-  crew.for_each(kBuckets, 8, [&](unsigned, std::size_t bucket) {
-    sort_bucket(distribution.bucket(bucket), sorted.data() + distribution.first(bucket));
-  });
+  sort_buckets(crew, distribution, sorted.data());
 }
 
 template void sort_pairs(Crew&, KeyParts, Array<std::uint64_t>&, Array<Pair>&);

@@ -31,6 +31,27 @@ function(cellsweep_library target)
   endif()
 endfunction()
 
+# cellsweep_compile_together(TARGET [ROOM...]): the target's sources in each of these folders, or all of them when none is
+# named, are one source for the compiler, which then reads a header that they share once. A source belongs to the first
+# folder that it lies in; one that lies in none is compiled alone, and so are all with -DCMAKE_UNITY_BUILD=OFF.
+function(cellsweep_compile_together target)
+  if(DEFINED CMAKE_UNITY_BUILD)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  if(ARGN)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(room IN LISTS ARGN)
+    set(inside ${sources})
+    list(FILTER inside INCLUDE REGEX "^${room}/")
+    list(FILTER sources EXCLUDE REGEX "^${room}/")
+    string(REPLACE / _ group ${room})
+    set_source_files_properties(${inside} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+endfunction()
+
 # cellsweep_show_only_the_face(TARGET): of a shared library, so that nobody links what is not meant for him.
 function(cellsweep_show_only_the_face target)
   target_link_options(${target} PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/src/cmake/exports.map

@@ -137,9 +137,9 @@ void on_key(GLFWwindow* window, int key, int, int action, int) {
 }
 
 void on_scroll(GLFWwindow* window, double, double up) {
-  constexpr float kZoom = 0.9F;
+  constexpr float kZoomOfOneStep = 0.9F;
   if (ImGui::GetIO().WantCaptureMouse) return;
-  input_of(window).controller.camera().zoom(std::pow(kZoom, static_cast<float>(up)));
+  input_of(window).controller.camera().zoom(std::pow(kZoomOfOneStep, static_cast<float>(up)));
 }
 
 // With the left button the world turns, with the right one it shifts.

@@ -11,8 +11,6 @@
 namespace spu_emu::isa {
 
 namespace {
-constexpr std::uint32_t kHardwareSize = spu_emu::kLocalStoreSize;
-
 std::uint32_t limit_of(const EmulationSettings& settings) {
   return settings.local_store_limit == 0 ? kHardwareSize
                                          : std::min(settings.local_store_limit, kHardwareSize);

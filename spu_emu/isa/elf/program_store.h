@@ -9,11 +9,15 @@
 #include <string>
 
 #include "isa/elf/elf_loader.h"
+#include "mfc/command.h"
 #include "mfc/local_store.h"
 #include "spe/arena.h"
 #include "spu_emu/emulation.h"
 
 namespace spu_emu::isa {
+
+/// What the hardware has, whatever limit a program is held to.
+inline constexpr std::uint32_t kHardwareSize = spu_emu::kLocalStoreSize;
 
 /// LS addresses from 0: the image, then heap and stack, which the program shares out itself.
 ///

@@ -18,6 +18,10 @@ struct CallResult {
   int error = 0;
 };
 
+inline CallResult refused(int error) {
+  return {UINT32_MAX, error};
+}
+
 /// The calls of one program: its open files end with it. Addresses, descriptors and streams that the program
 /// names are checked; a wrong one fails with EFAULT or EBADF, an unknown call with ENOSYS. One thread at a
 /// time.

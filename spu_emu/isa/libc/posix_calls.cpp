@@ -56,10 +56,6 @@ CallResult checked(std::int64_t value) {
   return {static_cast<std::uint32_t>(value), value == -1 ? errno : 0};
 }
 
-CallResult refused(int error) {
-  return {UINT32_MAX, error};
-}
-
 /// The flags of open as newlib sends them: those of Linux on PowerPC and x86 alike.
 CallResult open_file(const Call& call) {
   constexpr int kAllowed = O_ACCMODE | O_CREAT | O_EXCL | O_NOCTTY | O_TRUNC | O_APPEND | O_NONBLOCK | O_SYNC;

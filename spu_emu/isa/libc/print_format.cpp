@@ -12,7 +12,7 @@ namespace {
 constexpr int kLargestNumber = 4096;
 
 /// One conversion as the format spells it.
-struct Conversion {
+struct PrintConversion {
   std::string flags;
   int width = 0;
   int precision = -1;
@@ -64,8 +64,8 @@ class Printer {
     return '\0';
   }
 
-  Conversion read_conversion() {
-    Conversion result;
+  PrintConversion read_conversion() {
+    PrintConversion result;
     constexpr std::string_view kFlags = "-+ #0'";
     for (; peek() != '\0' && kFlags.find(peek()) != kFlags.npos; ++at_) {
       if (result.flags.find(peek()) == result.flags.npos) result.flags += peek();
@@ -80,7 +80,7 @@ class Printer {
 
   void convert() {
     const std::size_t begin = at_++;
-    const Conversion conversion = read_conversion();
+    const PrintConversion conversion = read_conversion();
     switch (conversion.letter) {
       case 'd':
       case 'i':
@@ -115,7 +115,7 @@ class Printer {
     }
   }
 
-  std::int64_t signed_argument(const Conversion& conversion) {
+  std::int64_t signed_argument(const PrintConversion& conversion) {
     if (conversion.length == 'q') return static_cast<std::int64_t>(arguments_.next_doubleword());
     const std::uint32_t word = arguments_.next_word();
     if (conversion.length == 'H') return static_cast<std::int8_t>(word);
@@ -123,7 +123,7 @@ class Printer {
     return static_cast<std::int32_t>(word);
   }
 
-  std::uint64_t unsigned_argument(const Conversion& conversion) {
+  std::uint64_t unsigned_argument(const PrintConversion& conversion) {
     if (conversion.length == 'q') return arguments_.next_doubleword();
     const std::uint32_t word = arguments_.next_word();
     if (conversion.length == 'H') return static_cast<std::uint8_t>(word);
@@ -131,19 +131,19 @@ class Printer {
     return word;
   }
 
-  void print_pointer(Conversion conversion) {
+  void print_pointer(PrintConversion conversion) {
     if (conversion.flags.find('#') == std::string::npos) conversion.flags += '#';
     print_integer(conversion, 'x', std::uint64_t{arguments_.next_word()});
   }
 
   template <class Value>
-  void print_integer(const Conversion& conversion, char letter, Value value) {
+  void print_integer(const PrintConversion& conversion, char letter, Value value) {
     print_with(conversion, "ll", letter, static_cast<unsigned long long>(value));
   }
 
   /// Leaves one number to the host's printf, by a conversion put together here.
   template <class Value>
-  void print_with(const Conversion& conversion, const char* length, char letter, Value value) {
+  void print_with(const PrintConversion& conversion, const char* length, char letter, Value value) {
     const std::string spelled = "%" + conversion.flags + "*.*" + length + letter;
     const char* host_format = spelled.c_str();
     std::array<char, 128> small{};
@@ -159,21 +159,21 @@ class Printer {
     out_.append(large.data(), static_cast<std::size_t>(size));
   }
 
-  void print_text(const Conversion& conversion) {
+  void print_text(const PrintConversion& conversion) {
     const std::uint32_t address = arguments_.next_word();
     const auto longest =
         conversion.precision < 0 ? UINT32_MAX : static_cast<std::uint32_t>(conversion.precision);
     pad(conversion, address == 0 ? std::string("(null)").substr(0, longest) : store_.text(address, longest));
   }
 
-  void pad(const Conversion& conversion, const std::string& text) {
+  void pad(const PrintConversion& conversion, const std::string& text) {
     const bool left = conversion.width < 0 || conversion.flags.find('-') != std::string::npos;
     const auto width = static_cast<std::size_t>(std::abs(conversion.width));
     const std::string blanks(width > text.size() ? width - text.size() : 0, ' ');
     out_ += left ? text + blanks : blanks + text;
   }
 
-  void store_count(const Conversion& conversion) {
+  void store_count(const PrintConversion& conversion) {
     const std::uint32_t address = arguments_.next_word();
     const std::array<std::byte, 4> bytes{std::byte(out_.size() >> 24U), std::byte(out_.size() >> 16U),
                                          std::byte(out_.size() >> 8U), std::byte(out_.size())};

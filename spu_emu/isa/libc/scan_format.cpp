@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kLongestItem = 0x40000;
 
 /// One conversion as the format spells it.
-struct Conversion {
+struct ScanConversion {
   bool suppressed = false;
   std::size_t width = 0;
   char length = 0;  // h, H (hh), l, q (ll, L, j), or 0
@@ -68,7 +68,7 @@ class Scanner {
       return true;
     }
     if (!take('%')) return match(format_[at_++]);
-    const Conversion conversion = read_conversion();
+    const ScanConversion conversion = read_conversion();
     if (conversion.letter == '%') {
       skip_space();
       return match('%');
@@ -83,8 +83,8 @@ class Scanner {
     return false;
   }
 
-  Conversion read_conversion() {
-    Conversion result;
+  ScanConversion read_conversion() {
+    ScanConversion result;
     result.suppressed = take('*');
     for (; std::isdigit(static_cast<unsigned char>(peek())) != 0; ++at_) {
       result.width = std::min(kLongestItem, result.width * 10 + static_cast<std::size_t>(peek() - '0'));
@@ -105,7 +105,7 @@ class Scanner {
     return '\0';
   }
 
-  void read_set(Conversion& conversion) {
+  void read_set(ScanConversion& conversion) {
     conversion.inverted = take('^');
     if (take(']')) conversion.set += ']';
     for (; peek() != '\0' && peek() != ']'; ++at_) {
@@ -123,7 +123,7 @@ class Scanner {
     take(']');
   }
 
-  bool convert(const Conversion& conversion) {
+  bool convert(const ScanConversion& conversion) {
     const bool blank_counts = std::strchr("c[n", conversion.letter) != nullptr;
     if (!blank_counts) skip_space();
     switch (conversion.letter) {
@@ -178,7 +178,7 @@ class Scanner {
     return text;
   }
 
-  bool scan_integer(const Conversion& conversion, int base) {
+  bool scan_integer(const ScanConversion& conversion, int base) {
     const std::string text = item(conversion.width, [base](int c, const std::string& before) {
       const std::string_view digits(before);
       const std::size_t sign = !digits.empty() && (digits[0] == '-' || digits[0] == '+') ? 1 : 0;
@@ -198,7 +198,7 @@ class Scanner {
     return true;
   }
 
-  bool scan_real(const Conversion& conversion) {
+  bool scan_real(const ScanConversion& conversion) {
     const std::string text = item(conversion.width, [](int c, const std::string& before) {
       const bool after_exponent = !before.empty() && std::strchr("eEpP", before.back()) != nullptr;
       if (c == '-' || c == '+') return before.empty() || after_exponent;
@@ -212,14 +212,14 @@ class Scanner {
   }
 
   template <class Wanted>
-  bool scan_text(const Conversion& conversion, Wanted&& wanted) {
+  bool scan_text(const ScanConversion& conversion, Wanted&& wanted) {
     const std::string text = item(conversion.width, [&](int c, const std::string&) { return wanted(c); });
     if (text.empty()) return false;
     if (!conversion.suppressed) store_result([&] { store_text(text.c_str(), text.size() + 1); });
     return true;
   }
 
-  bool scan_characters(const Conversion& conversion) {
+  bool scan_characters(const ScanConversion& conversion) {
     const std::size_t count = conversion.width == kLongestItem ? 1 : conversion.width;
     const std::string text = item(count, [](int, const std::string&) { return true; });
     if (text.size() < count) return false;
@@ -238,7 +238,7 @@ class Scanner {
     store_.write(arguments_.next_word(), std::as_bytes(std::span(text, size)));
   }
 
-  void store_integer(const Conversion& conversion, std::uint64_t value) {
+  void store_integer(const ScanConversion& conversion, std::uint64_t value) {
     const std::uint32_t address = arguments_.next_word();
     if (conversion.length == 'q') return store_.set_doubleword(address, value);
     std::array<std::byte, 4> bytes{};
@@ -247,7 +247,7 @@ class Scanner {
     store_.write(address, std::span<const std::byte>(bytes).last(size));
   }
 
-  void store_real(const Conversion& conversion, double value) {
+  void store_real(const ScanConversion& conversion, double value) {
     const std::uint32_t address = arguments_.next_word();
     const bool is_double = conversion.length == 'l' || conversion.length == 'q';
     if (is_double) {

@@ -69,10 +69,6 @@ struct StdioCall {
   std::string text(std::uint32_t index) const { return store.text(word(index)); }
 };
 
-inline CallResult refused(int error) {
-  return {UINT32_MAX, error};
-}
-
 /// Calls `use` with the stream that argument `index` names.
 template <class Use>
 CallResult with_stream(const StdioCall& call, std::uint32_t index, Use&& use) {

@@ -5,10 +5,8 @@
 namespace cellsweep {
 namespace {
 
-constexpr std::size_t kAlignment = 64;
 constexpr std::size_t kFirstChunk = std::size_t{64} << 10;
 constexpr std::size_t kLargestStep = std::size_t{8} << 20;
-constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
 std::size_t round_up(std::size_t bytes, std::size_t unit) {
   return (bytes + unit - 1) / unit * unit;
@@ -17,7 +15,7 @@ std::size_t round_up(std::size_t bytes, std::size_t unit) {
 }  // namespace
 
 void* Arena::take_bytes(std::size_t bytes) {
-  bytes = round_up(bytes, kAlignment);
+  bytes = round_up(bytes, kMemoryAlignment);
   if (current_ < chunks_.size() && used_ + bytes <= chunks_[current_].size) {
     std::byte* place = chunks_[current_].memory.get() + used_;
     used_ += bytes;
@@ -36,7 +34,7 @@ void* Arena::take_from_next_chunk(std::size_t bytes) {
   }
   if (next == chunks_.size()) {
     std::size_t size = std::max(bytes, std::clamp(bytes_, kFirstChunk, kLargestStep));
-    size = round_up(size, size >= kHugePage ? kHugePage : kAlignment);
+    size = round_up(size, size >= kHugePage ? kHugePage : kMemoryAlignment);
     chunks_.push_back({Memory<std::byte>(take_memory(size)), size});
     bytes_ += size;
   }

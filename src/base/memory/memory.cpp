@@ -12,8 +12,6 @@
 namespace cellsweep {
 namespace {
 
-constexpr std::size_t kAlignment = 64;
-constexpr std::size_t kHugePage = std::size_t{2} << 20;
 /// Larger blocks took longer with huge pages than without, by measurement.
 constexpr std::size_t kMostWithHugePages = std::size_t{32} << 20;
 
@@ -37,7 +35,7 @@ void ask_for_huge_pages([[maybe_unused]] std::byte* memory, [[maybe_unused]] std
 std::byte* take_memory(std::size_t bytes) {
   if (must_fail()) throw std::bad_alloc();
   void* memory = nullptr;
-  const std::size_t alignment = bytes >= kHugePage ? kHugePage : kAlignment;
+  const std::size_t alignment = bytes >= kHugePage ? kHugePage : kMemoryAlignment;
   if (posix_memalign(&memory, alignment, std::max(bytes, std::size_t{1})) != 0) throw std::bad_alloc();
   ask_for_huge_pages(static_cast<std::byte*>(memory), bytes);
   return static_cast<std::byte*>(memory);

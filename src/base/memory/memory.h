@@ -11,8 +11,13 @@
 
 namespace cellsweep {
 
-/// Uninitialised memory, 64-byte aligned; a block of some megabytes asks for huge pages: a page fault costs
-/// as much as some hundred bodies. Throws std::bad_alloc. Safe to call from any thread.
+/// How every block of memory is aligned.
+inline constexpr std::size_t kMemoryAlignment = 64;
+/// What a huge page of the system holds.
+inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
+
+/// Uninitialised memory, aligned to kMemoryAlignment; a block of some megabytes asks for huge pages: a page
+/// fault costs as much as some hundred bodies. Throws std::bad_alloc. Safe to call from any thread.
 std::byte* take_memory(std::size_t bytes);
 /// More memory, at least for `bytes`, that begins with what was in `memory`, which it replaces; null is fine.
 /// As take_memory(), but aligned as any type needs only.

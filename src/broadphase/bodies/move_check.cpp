@@ -10,7 +10,7 @@ namespace cellsweep {
 namespace {
 
 /// Bodies are looked up so many at a time.
-constexpr std::size_t kBlock = 32;
+constexpr std::size_t kCheckBlock = 32;
 
 bool are_held(const HeldBodies& held, Slot first, std::size_t count) {
   return held.table.is_full() ||
@@ -34,8 +34,8 @@ bool are_right(const HeldBodies& held, std::span<const BodyId> ids, const Slot* 
 void MoveCheck::run(const HeldBodies& held, std::span<const BodyId> ids, std::span<const Aabb> boxes,
                     Share share, Slot* slots) {
   *this = {};
-  for (std::size_t first = share.first; good_ && first < share.last; first += kBlock) {
-    const std::size_t count = std::min(kBlock, share.last - first);
+  for (std::size_t first = share.first; good_ && first < share.last; first += kCheckBlock) {
+    const std::size_t count = std::min(kCheckBlock, share.last - first);
     check_block(held, ids.subspan(first, count), boxes.subspan(first, count), slots + first);
   }
 }

@@ -15,7 +15,7 @@ namespace cellsweep {
 namespace {
 
 /// Boxes given again are recognised so many at a time.
-constexpr std::size_t kBlock = 32;
+constexpr std::size_t kMoveBlock = 32;
 
 /// Looks at all of them, which takes less than to stop early.
 bool are_all(const BodyState* states, std::size_t count, BodyState state) {
@@ -89,8 +89,8 @@ void StagedBoxes::move(Crew& crew, const MovedBodies& bodies) {
 // Returns how many slots it wrote to the list.
 std::size_t StagedBoxes::move_share(const MovedBodies& bodies, Share share, Slot* moved) {
   Slot* end = moved;
-  for (std::size_t first = share.first; first < share.last; first += kBlock) {
-    const std::size_t count = std::min(kBlock, share.last - first);
+  for (std::size_t first = share.first; first < share.last; first += kMoveBlock) {
+    const std::size_t count = std::min(kMoveBlock, share.last - first);
     end = move_block({bodies.slots.subspan(first, count), bodies.boxes.subspan(first, count), bodies.clean,
                       bodies.ascends},
                      end);
@@ -171,8 +171,8 @@ BodyChanges StagedBoxes::begin_update() {
 
 void StagedBoxes::swap_all() {
   if (moved_.size() < boxes_.size()) {
-    for (Slot slot = 0; slot < boxes_.size(); slot += kBlock) {
-      const auto end = static_cast<Slot>(std::min(slot + kBlock, boxes_.size()));
+    for (Slot slot = 0; slot < boxes_.size(); slot += kMoveBlock) {
+      const auto end = static_cast<Slot>(std::min(slot + kMoveBlock, boxes_.size()));
       if (are_all(&states_[slot], end - slot, kMoved)) continue;
       for (Slot still = slot; still < end; ++still) {
         if (states_[still] != kMoved) next_[still] = boxes_[still];

@@ -8,13 +8,11 @@
 #include "engines/cell/ppu/layout.h"
 #include "engines/cell/ppu/paper.h"
 #include "engines/cell/ppu/resident.h"
+#include "engines/cell/ppu/spe_counts.h"
 #include "engines/cell/ppu/stream_spes.h"
 
 namespace cellsweep {
 namespace {
-
-// What engines choose, and cell-paper has always.
-constexpr unsigned kDefaultSpus = 3;
 
 template <class Options>
 Result<LocalStoreMap> map_of(const char* engine, const Options& options, unsigned spus,
@@ -23,7 +21,7 @@ Result<LocalStoreMap> map_of(const char* engine, const Options& options, unsigne
   if (!emulation) return emulation.status();
   if (Status status = cell::check(options); !status.ok()) return status;
   LocalStoreMap map = cell::make_local_store_map(engine, (*emulation)->local_store(), buffers, bodies);
-  map.spus = spus == 0 ? kDefaultSpus : spus;
+  map.spus = spus == 0 ? cell::kDefaultSpus : spus;
   return map;
 }
 
@@ -36,7 +34,7 @@ std::uint64_t LocalStoreMap::used() const {
 
 Result<LocalStoreMap> local_store_map(const CellPaperOptions& options, std::uint64_t bodies) {
   const auto buffers = [&](std::uint64_t count) { return cell::paper_buffers(options, count); };
-  return map_of("cell-paper", options, kDefaultSpus, buffers, bodies);
+  return map_of("cell-paper", options, cell::kAxes, buffers, bodies);
 }
 
 Result<LocalStoreMap> local_store_map(const CellBruteOptions& options, std::uint64_t bodies) {

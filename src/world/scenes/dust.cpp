@@ -9,7 +9,7 @@ namespace {
 
 constexpr BodyId kOneGiantIn = 100;
 constexpr BodyId kGiant = 7;
-constexpr double kSmallest = 0.001;
+constexpr double kSmallestGrain = 0.001;
 constexpr double kDecadesOfEach = 1000;  // from the smallest dust to the smallest giant, and to the largest
 
 // A giant fills 4.8e7 in the mean, so that a body lies in about one of them, or touches it. The largest
@@ -20,7 +20,7 @@ double dust_edge(double bodies) {
 }
 
 Placement place_grain(const Spot& spot, Random& random) {
-  const double smallest = spot.id % kOneGiantIn == kGiant ? kSmallest * kDecadesOfEach : kSmallest;
+  const double smallest = spot.id % kOneGiantIn == kGiant ? kSmallestGrain * kDecadesOfEach : kSmallestGrain;
   const auto edge = static_cast<float>(smallest * power(kDecadesOfEach, random.unit()));
   return put({edge, edge, edge}, spot.world_edge, spot.world_edge, random);
 }

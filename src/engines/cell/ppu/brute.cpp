@@ -5,14 +5,13 @@
 
 #include "base/text.h"
 #include "cellsweep/engine/phase_timer.h"
+#include "engines/cell/ppu/spe_counts.h"
 
 extern "C" spe_program_handle_t cell_brute_spu;
 
 namespace cellsweep::cell {
 namespace {
 
-constexpr unsigned kDefaultSpus = 3;
-constexpr unsigned kMostSpus = 16;
 constexpr std::uint64_t kMostBodies = 32768;
 constexpr std::size_t kArrays = 6;
 constexpr std::uint32_t kLargestNegative = 0xff7fffff;

@@ -4,13 +4,12 @@
 
 #include "base/text.h"
 #include "cellsweep/engine/phase_timer.h"
+#include "engines/cell/ppu/spe_counts.h"
 
 extern "C" spe_program_handle_t cell_paper_spu;
 
 namespace cellsweep::cell {
 namespace {
-
-constexpr unsigned kAxes = 3;
 
 std::uint64_t lines(std::uint64_t bytes) {
   return (bytes + kDmaAlign - 1) / kDmaAlign * kDmaAlign;

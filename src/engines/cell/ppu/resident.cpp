@@ -6,12 +6,11 @@
 #include "base/text.h"
 #include "cellsweep/engine/phase_timer.h"
 #include "engines/cell/ppu/pose_blocks.h"
+#include "engines/cell/ppu/spe_counts.h"
 
 namespace cellsweep::cell {
 namespace {
 
-constexpr unsigned kAxes = 3;
-constexpr unsigned kMostSpus = 16;
 constexpr std::uint32_t kPlaceMask = (1U << kResidentSlotBits) - 1;
 
 ResidentRecord record_of(Slot place, const Aabb& box) {

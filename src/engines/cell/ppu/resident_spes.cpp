@@ -4,13 +4,13 @@
 
 #include "base/text.h"
 #include "cellsweep/engine/timeline.h"
+#include "engines/cell/ppu/spe_counts.h"
 
 extern "C" spe_program_handle_t cell_resident_spu;
 
 namespace cellsweep::cell {
 namespace {
 
-constexpr unsigned kAxes = 3;
 constexpr std::uint32_t kMostChanges = 1024;
 constexpr std::uint32_t kFewestChanges = 16;
 

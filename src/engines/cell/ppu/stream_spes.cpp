@@ -5,14 +5,13 @@
 #include "base/text.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/cell/ppu/layout.h"
+#include "engines/cell/ppu/spe_counts.h"
 
 extern "C" spe_program_handle_t cell_stream_spu;
 
 namespace cellsweep::cell {
 namespace {
 
-constexpr unsigned kDefaultSpus = 3;
-constexpr unsigned kMostSpus = 16;
 /// Pairs that an SPU may send before the host takes them.
 constexpr std::uint32_t kRoom = 16 * kStreamPairs;
 constexpr std::uint64_t kBlockBytes = std::uint64_t{4} * kStreamWords * kStreamBlock;
