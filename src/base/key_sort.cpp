@@ -1,6 +1,7 @@
 #include "base/key_sort.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
 
@@ -21,14 +22,6 @@ void insertion_sort(std::span<Key> keys) {
   }
 }
 
-/// The buckets' ends, from that of an empty one before the first on.
-std::uint32_t* count_into(std::span<const Key> keys, Key least, unsigned shift, Array<std::uint32_t>& ends) {
-  std::fill_n(ends.data(), ends.size(), 0U);
-  for (const Key key : keys) ++ends.data()[((key - least) >> shift) + 1];
-  std::partial_sum(ends.data(), ends.data() + ends.size(), ends.data());
-  return ends.data();
-}
-
 /// Keys are in the right bucket, but in no order there; `ends` are the buckets'.
 void sort_buckets(std::span<Key> keys, std::span<const std::uint32_t> ends) {
   std::uint32_t first = 0;
@@ -42,23 +35,52 @@ void sort_buckets(std::span<Key> keys, std::span<const std::uint32_t> ends) {
   }
 }
 
+/// Into which bucket a key belongs.
+struct Buckets {
+  Key least;
+  unsigned shift;
+  std::size_t count;
+
+  explicit Buckets(std::span<const Key> keys) {
+    const auto [smallest, largest] = std::ranges::minmax(keys);
+    const auto bits = std::bit_width(largest - smallest);
+    const auto wanted = std::bit_width(keys.size());
+    least = smallest;
+    shift = bits > wanted ? static_cast<unsigned>(bits - wanted) : 0U;
+    count = ((largest - smallest) >> shift) + 1;
+  }
+
+  std::size_t of(Key key) const { return (key - least) >> shift; }
+};
+
+/// `ends` has a number for each bucket and one more, `sorted` one for each key.
+void sort_by_buckets(std::span<Key> keys, const Buckets& buckets, std::span<std::uint32_t> ends,
+                     std::span<Key> sorted) {
+  std::ranges::fill(ends, 0U);
+  for (const Key key : keys) ++ends[buckets.of(key) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  for (const Key key : keys) sorted[ends[buckets.of(key)]++] = key;
+  sort_buckets(sorted, ends);
+  std::ranges::copy(sorted, keys.begin());
+}
+
 }  // namespace
 
 void sort_keys(std::span<Key> keys) {
   if (keys.size() <= tuning::kFewKeys) return insertion_sort(keys);
-  if (keys.size() <= tuning::kCompared) return std::sort(keys.begin(), keys.end());
-  const auto [least, most] = std::ranges::minmax(keys);
-  const auto bits = std::bit_width(most - least);
-  const auto wanted = std::bit_width(keys.size());
-  const auto shift = bits > wanted ? static_cast<unsigned>(bits - wanted) : 0U;
+  const Buckets buckets(keys);
+  constexpr std::size_t kOnStack = 256;
+  if (keys.size() < kOnStack) {
+    std::array<std::uint32_t, 2 * kOnStack + 1> ends;  // NOLINT(*-member-init): written before it is read
+    std::array<Key, kOnStack> sorted;                  // NOLINT(*-member-init)
+    return sort_by_buckets(keys, buckets, std::span(ends).first(buckets.count + 1),
+                           std::span(sorted).first(keys.size()));
+  }
   Array<std::uint32_t> ends;
-  ends.renew(((most - least) >> shift) + 2);
+  ends.renew(buckets.count + 1);
   Array<Key> sorted;
   sorted.renew(keys.size());
-  std::uint32_t* const next = count_into(keys, least, shift, ends);
-  for (const Key key : keys) sorted.data()[next[(key - least) >> shift]++] = key;
-  sort_buckets(sorted.view(), ends.view());
-  std::copy_n(sorted.data(), sorted.size(), keys.begin());
+  sort_by_buckets(keys, buckets, ends.view(), sorted.view());
 }
 
 }  // namespace cellsweep

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <vector>
 
 #include "base/key_sort.h"
@@ -93,7 +94,7 @@ class Distribution {
 
   void run(std::size_t total) {
     find_range();
-    width_ = std::max(range_.size() / kBuckets + 1, kNarrowest);
+    shift_ = static_cast<unsigned>(std::bit_width(std::max(range_.size() / kBuckets, kNarrowest - 1)));
     scratch_.renew(total);
     crew_.run([&](unsigned worker) { count(worker); });
     make_prefix_sums();
@@ -127,7 +128,7 @@ class Distribution {
     }
   }
 
-  std::size_t bucket_of(Key key) const { return ((key >> 32) - range_.low) / width_; }
+  std::size_t bucket_of(Key key) const { return ((key >> 32) - range_.low) >> shift_; }
 
   void count(unsigned worker) {
     std::array<std::size_t, kBuckets> counts{};
@@ -160,7 +161,7 @@ class Distribution {
   KeyParts parts_;
   Array<Key>& scratch_;
   Range range_;
-  std::uint64_t width_ = 1;
+  unsigned shift_ = 0;  // a bucket has 2^shift_ first ids: a division would cost more than all else
   std::vector<std::size_t> counts_;  // by worker and bucket; then where the worker writes
   std::array<std::size_t, kBuckets + 1> first_{};
 };

@@ -120,8 +120,6 @@ inline constexpr std::size_t kFewNotes = 4096;
 inline constexpr std::size_t kBuckets = 512;
 /// Fewer keys than this are compared.
 inline constexpr std::size_t kFewKeys = 24;
-/// Fewer keys than this from anywhere are compared: buckets take memory.
-inline constexpr std::size_t kCompared = 256;
 /// Fewer keys than this are one bucket.
 inline constexpr std::size_t kOneBucket = 2048;
 /// And fewer than this when there is a counter for each first number: buckets would cost more than they save.

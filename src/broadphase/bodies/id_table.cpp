@@ -117,6 +117,12 @@ void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
 // Maps all ids to the slots that they will get, or none.
 bool IdTable::map_all(std::span<const BodyId> ids) {
   if (map_run(ids)) return true;
+  if (direct_.empty() && free_.empty()) {
+    const std::size_t mapped = sparse_.insert_run(ids, next_slot(0));
+    if (mapped == ids.size()) return true;
+    for (const BodyId id : ids.first(mapped)) unmap(id);
+    return false;
+  }
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (sparse_.size() > 0 && i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
     if (map(ids[i], next_slot(i))) continue;

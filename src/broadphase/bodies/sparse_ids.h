@@ -2,8 +2,10 @@
 /// Slots of ids that lie far apart: a table of open addresses, an id and its slot side by side.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "base/memory/memory.h"
 #include "cellsweep/engine/slots.h"
@@ -43,6 +45,26 @@ class SparseIds {
     entry = {id, slot};
     ++size_;
     return true;
+  }
+
+  /// Adds ids, for which there must be room, to slots from `first` on, until one is there; returns how many
+  /// it added.
+  std::size_t insert_run(std::span<const BodyId> ids, Slot first) {
+    // Entries are asked for so many ids ahead.
+    constexpr std::size_t kAhead = 16;
+    Entry* const entries = entries_.data();
+    const std::size_t mask = entries_.size() - 1;
+    std::size_t done = 0;
+    for (; done < ids.size(); ++done) {
+      const BodyId id = ids[done];
+      __builtin_prefetch(&entries[mix64(ids[std::min(done + kAhead, ids.size() - 1)]) & mask], 1);
+      std::size_t place = mix64(id) & mask;
+      while (entries[place].slot != kNoSlot && entries[place].id != id) place = (place + 1) & mask;
+      if (entries[place].slot != kNoSlot) break;
+      entries[place] = {id, first + static_cast<Slot>(done)};
+    }
+    size_ += done;
+    return done;
   }
 
   /// An id that is there. What was pushed out of its place by it moves back.
