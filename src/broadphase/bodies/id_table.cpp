@@ -1,6 +1,7 @@
 #include "broadphase/bodies/id_table.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -24,13 +25,13 @@ constexpr std::size_t kAhead = 16;
 
 // As far as most of the ids reach.
 void IdTable::grow_direct(std::span<const BodyId> ids) {
-  const std::size_t most = kDirectEntries * (size_ + ids.size()) + kSmallTable;
-  std::size_t count = 0;
+  const std::size_t room = kDirectEntries * (size_ + ids.size()) + kSmallTable;
+  const auto most = static_cast<BodyId>(std::min(room, std::size_t{std::numeric_limits<BodyId>::max()}));
+  std::uint32_t count = 0;
   BodyId largest = 0;
   for (const BodyId id : ids) {
-    const bool fits = id < most;
-    count += fits ? 1 : 0;
-    largest = fits && id > largest ? id : largest;
+    count += id < most ? 1 : 0;
+    largest = std::max(largest, id < most ? id : 0);
   }
   const std::size_t entries = std::size_t{largest} + 1;
   if (2 * count < ids.size() || entries <= direct_.size()) return;
@@ -102,8 +103,10 @@ void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
   if (are_consecutive(ids)) {
     identical = identical && (ids.empty() || ids[0] == first);
   } else {
-    for (std::size_t i = 0; i < ids.size(); ++i) identical &= ids[i] == first + i;
-    for (std::size_t i = 1; i < ids.size(); ++i) ascending &= ids[i - 1] < ids[i];
+    identical = false;
+    std::uint32_t descents = 0;
+    for (std::size_t i = 1; i < ids.size(); ++i) descents += ids[i - 1] < ids[i] ? 0 : 1;
+    ascending = ascending && descents == 0;
   }
   identical_ = identical;
   ascending_ = ascending;

@@ -50,21 +50,8 @@ class SparseIds {
   /// Adds ids, for which there must be room, to slots from `first` on, until one is there; returns how many
   /// it added.
   std::size_t insert_run(std::span<const BodyId> ids, Slot first) {
-    // Entries are asked for so many ids ahead.
-    constexpr std::size_t kAhead = 16;
-    Entry* const entries = entries_.data();
-    const std::size_t mask = entries_.size() - 1;
-    std::size_t done = 0;
-    for (; done < ids.size(); ++done) {
-      const BodyId id = ids[done];
-      __builtin_prefetch(&entries[mix64(ids[std::min(done + kAhead, ids.size() - 1)]) & mask], 1);
-      std::size_t place = mix64(id) & mask;
-      while (entries[place].slot != kNoSlot && entries[place].id != id) place = (place + 1) & mask;
-      if (entries[place].slot != kNoSlot) break;
-      entries[place] = {id, first + static_cast<Slot>(done)};
-    }
-    size_ += done;
-    return done;
+    constexpr std::size_t kFar = 1 << 15;
+    return entries_.size() < kFar ? insert_all<false>(ids, first) : insert_all<true>(ids, first);
   }
 
   /// An id that is there. What was pushed out of its place by it moves back.
@@ -88,6 +75,25 @@ class SparseIds {
     BodyId id = 0;
     Slot slot = kNoSlot;
   };
+
+  // Entries that are far are asked for some ids ahead.
+  template <bool Far>
+  std::size_t insert_all(std::span<const BodyId> ids, Slot first) {
+    constexpr std::size_t kAhead = 16;
+    Entry* const entries = entries_.data();
+    const std::size_t mask = entries_.size() - 1;
+    std::size_t done = 0;
+    for (; done < ids.size(); ++done) {
+      const BodyId id = ids[done];
+      if (Far) __builtin_prefetch(&entries[mix64(ids[std::min(done + kAhead, ids.size() - 1)]) & mask], 1);
+      std::size_t place = mix64(id) & mask;
+      while (entries[place].slot != kNoSlot && entries[place].id != id) place = (place + 1) & mask;
+      if (entries[place].slot != kNoSlot) break;
+      entries[place] = {id, first + static_cast<Slot>(done)};
+    }
+    size_ += done;
+    return done;
+  }
 
   std::size_t home_of(BodyId id) const { return mix64(id) & (entries_.size() - 1); }
   std::size_t after(std::size_t place) const { return (place + 1) & (entries_.size() - 1); }
