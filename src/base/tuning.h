@@ -67,8 +67,9 @@ inline constexpr double kCopyCost = 14;
 inline constexpr double kTestCost = 0.11;
 /// Boxes of the sample on which a grid is chosen.
 inline constexpr std::size_t kSample = 128;
-/// A box is large when an edge is so many times as long as that of the middle box of the sample. Shorter ones,
-/// which only the sample knows of, reach into some 200 cells; so rare that it has none of them they are cheap.
+/// A box is large when an edge is so many times as long as that of the middle box of the sample. Shorter
+/// ones, which only the sample knows of, reach into some 200 cells; so rare that it has none of them they are
+/// cheap.
 inline constexpr float kLargeEdges = 12;
 /// More cells than this are made in two steps: writing to more places at a time than a cache has lines is
 /// slow. EPYC, uniform 1,000,000.

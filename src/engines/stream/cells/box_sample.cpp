@@ -108,7 +108,8 @@ Int4 may_be_large(const Aabb& box, Float4 limits) {
   return (lanes.max - lanes.min) > limits;
 }
 
-// Four boxes are asked at a time. Which of them are large nobody can foretell: a list is made without a branch.
+// Four boxes are asked at a time. Which of them are large nobody can foretell: a list is made without a
+// branch.
 Sums sum_large(const Boxes& boxes, const Ranges& ranges, Float4 limits) {
   Sums sums;
   const auto add = [&](std::size_t i) {

@@ -67,8 +67,8 @@ FoundPairs Overlaps::test(const BodyChanges& changes, const SlotPairChanges& of_
   tests_ += candidates.size();
   const bool few = changes.moved.size() + changes.inserted.size() < changes.bodies / tuning::kFewFresh;
   if (few) mark_fresh(changes, 1);
-  const SlotPairChanges found = marks_.refresh(crew_, candidates, of_candidates,
-                                               {changes.boxes.data(), few ? fresh_.data() : nullptr});
+  const SlotPairChanges found =
+      marks_.refresh(crew_, candidates, of_candidates, {changes.boxes.data(), few ? fresh_.data() : nullptr});
   if (few) mark_fresh(changes, 0);
   return {.began = found.began, .ended = found.ended};
 }

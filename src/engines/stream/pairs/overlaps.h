@@ -25,8 +25,8 @@ class Overlaps {
   /// From now on fat boxes may be larger than boxes, and candidates need not be pairs.
   void loosen() { are_pairs_ = false; }
 
-  /// All will be found anew: what there is is kept for compare(). To be called before the search, whose memory
-  /// may have it.
+  /// All will be found anew: what there is is kept for compare(). To be called before the search, whose
+  /// memory may have it.
   void set_aside(const BodyChanges& changes);
   /// The candidates are now those of `found`. `are_pairs` when fat boxes are the boxes themselves.
   void replace(KeyParts found, bool are_pairs);
