@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/export.h"
+#include "cellsweep/filter.h"
 #include "cellsweep/options.h"
 #include "cellsweep/pair.h"
 #include "cellsweep/statistics.h"
@@ -36,15 +38,15 @@ struct Capacity {
 ///
 /// Exactness: after update() the current pairs are those that comparing all boxes with all boxes would find,
 /// each once with a < b, on any input; and every list is ascending, whatever the engine, its threads and the
-/// machine. Boxes are closed: touching counts.
+/// machine. Boxes are closed: touching counts. Filters leave pairs out.
 ///
 /// Input: a call is checked whole before anything is applied; when it returns a status that is not ok,
 /// nothing has changed. -0 and denormal values become +0 on the way in; then a box must be finite with min <=
 /// max on every axis.
 ///
-/// Between updates: insert(), move() and remove() are remembered and take effect together in the next
-/// update(). Until then pairs() and boxes() are those of the update before. When update() fails, by its
-/// status or by std::bad_alloc, they still are, and what was remembered still is: calling it again tries
+/// Between updates: insert(), move(), set_filters() and remove() are remembered and take effect together in
+/// the next update(). Until then pairs() and boxes() are those of the update before. When update() fails, by
+/// its status or by std::bad_alloc, they still are, and what was remembered still is: calling it again tries
 /// again.
 ///
 /// A body that is removed and inserted again before an update is a new body: its pairs are in `ended`, and
@@ -72,6 +74,10 @@ class CELLSWEEP_API Broadphase final {
   /// duplicate_body, capacity.
   Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes);
   Status insert(BodyId id, const Aabb& box);
+  /// The same for bodies that do not meet all others: a filter for each, or none for the default. Further
+  /// errors: bad_input when there are more or fewer.
+  Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
+                std::span<const BodyFilter> filters);
 
   /// Adds bodies whose ids the library hands out, into the caller's `ids`: as small as there are, none that
   /// is in use, and none whose pairs have not been reported as ended. Errors: those of insert().
@@ -82,6 +88,14 @@ class CELLSWEEP_API Broadphase final {
   /// counts. Errors: bad_input, invalid_box, unknown_body.
   Status move(std::span<const BodyId> ids, std::span<const Aabb> boxes);
   Status move(BodyId id, const Aabb& box);
+
+  /// Gives bodies other filters: pairs that these do not allow end at the next update(), and those that they
+  /// allow begin; pairs that both allow are not mentioned. Of several filters for one body the last counts.
+  /// Errors: bad_input (spans of different length), unknown_body.
+  Status set_filters(std::span<const BodyId> ids, std::span<const BodyFilter> filters);
+  Status set_filter(BodyId id, const BodyFilter& filter);
+  /// The filter that counts from the next update() on; nothing for an id that is not held now.
+  std::optional<BodyFilter> filter(BodyId id) const;
 
   /// Removes bodies; an id may occur once in a call. Their pairs end at the next update(). Errors:
   /// unknown_body, duplicate_body.

@@ -5,6 +5,7 @@
 
 #include "base/tuning.h"
 #include "broadphase/bodies/bodies.h"
+#include "broadphase/pairs/pair_filter.h"
 #include "broadphase/pairs/pair_order.h"
 #include "broadphase/pairs/pair_set.h"
 #include "cellsweep/engine/engine.h"
@@ -34,6 +35,13 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
 
   Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
     return traced("insert", [&] { return bodies_.insert(ids, boxes, parts_.name, capacity_); });
+  }
+  Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
+                std::span<const BodyFilter> filters) {
+    return traced("insert", [&] { return bodies_.insert(ids, boxes, filters, parts_.name, capacity_); });
+  }
+  Status set_filters(std::span<const BodyId> ids, std::span<const BodyFilter> filters) {
+    return traced("filters", [&] { return bodies_.set_filters(ids, filters); });
   }
   Status add(std::span<const Aabb> boxes, std::span<BodyId> ids) {
     return traced("insert", [&] { return bodies_.add(boxes, ids, parts_.name, capacity_); });
@@ -93,7 +101,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
 
   Result<PairChanges> update_now();
   Status renew_engine();
-  void name_changes(const FoundPairs& found);
+  void name_changes(const FoundPairs& unfiltered);
   void tidy();
 
   HandleParts parts_;
@@ -104,6 +112,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   Capacity capacity_;
   Crew& crew_ = *parts_.crew;
   Bodies bodies_;
+  PairFilter filter_;
   PairOrder order_;
   PairSet pairs_;
   std::size_t bytes_ = 0;  // of bodies and pairs
@@ -134,7 +143,7 @@ Result<PairChanges> Broadphase::Impl::update_now() {
   bodies_.commit();
   ++statistics_.updates;
   const PairChanges changes = pairs_.commit();
-  bytes_ = bodies_.bytes() + order_.bytes() + pairs_.bytes();
+  bytes_ = bodies_.bytes() + filter_.bytes() + order_.bytes() + pairs_.bytes();
   statistics_.bytes += bytes_;
   tidy();
   return changes;
@@ -147,7 +156,9 @@ Status Broadphase::Impl::renew_engine() {
   return {};
 }
 
-void Broadphase::Impl::name_changes(const FoundPairs& found) {
+void Broadphase::Impl::name_changes(const FoundPairs& unfiltered) {
+  const FoundPairs found =
+      bodies_.filters().in_use() ? filter_.apply(unfiltered, bodies_.filters()) : unfiltered;
   order_.name_pairs(crew_, bodies_.table(), found.began, found.more_began, pairs_.next_began());
   order_.name_pairs(crew_, bodies_.table(), found.ended, {}, pairs_.next_ended());
 }
@@ -194,6 +205,25 @@ Capacity Broadphase::capacity() const {
 
 Status Broadphase::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
   return impl_->insert(ids, boxes);
+}
+
+Status Broadphase::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
+                          std::span<const BodyFilter> filters) {
+  return impl_->insert(ids, boxes, filters);
+}
+
+Status Broadphase::set_filters(std::span<const BodyId> ids, std::span<const BodyFilter> filters) {
+  return impl_->set_filters(ids, filters);
+}
+
+Status Broadphase::set_filter(BodyId id, const BodyFilter& filter) {
+  return impl_->set_filters({&id, 1}, {&filter, 1});
+}
+
+std::optional<BodyFilter> Broadphase::filter(BodyId id) const {
+  const Slot slot = impl_->bodies().table().find(id);
+  if (slot == kNoSlot) return std::nullopt;
+  return impl_->bodies().filter(slot);
 }
 
 Status Broadphase::insert(BodyId id, const Aabb& box) {

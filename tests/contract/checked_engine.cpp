@@ -24,9 +24,11 @@ std::vector<Pair> copy(std::span<const Pair> pairs) {
 struct Arguments {
   std::vector<BodyId> ids;
   std::vector<Aabb> boxes;
+  std::vector<BodyFilter> filters{};
 
   ~Arguments() {
     std::ranges::fill(ids, 0xdeadbeefU);
+    std::ranges::fill(filters, BodyFilter{0, 0, true});
     std::ranges::fill(boxes, Aabb{{-1, -1, -1}, {-1, -1, -1}});
   }
 };
@@ -42,11 +44,20 @@ std::vector<BodyId> Model::ids() const {
 std::vector<Pair> Model::brute_force() const {
   std::vector<Aabb> all_boxes;
   for (const auto& [id, box] : boxes) all_boxes.push_back(box);
-  return brute_force_pairs(ids(), all_boxes);
+  std::vector<Pair> found = brute_force_pairs(ids(), all_boxes);
+  if (filters.empty()) return found;
+  std::erase_if(found, [&](const Pair& pair) { return !may_pair(filter(pair.a), filter(pair.b)); });
+  return found;
+}
+
+BodyFilter Model::filter(BodyId id) const {
+  const auto found = filters.find(id);
+  return found == filters.end() ? BodyFilter{} : found->second;
 }
 
 void Model::remove(BodyId id) {
   boxes.erase(id);
+  filters.erase(id);
   gone.insert(id);
 }
 
@@ -103,6 +114,33 @@ AssertionResult CheckedEngine::insert(const std::vector<BodyId>& ids, const std:
   own_ids_ = own_ids_ || !ids.empty();
   for (std::size_t i = 0; i < ids.size(); ++i) model_.boxes.emplace(ids[i], canonical_box(boxes[i]));
   return accepted("insert", status);
+}
+
+AssertionResult CheckedEngine::insert(const std::vector<BodyId>& ids, const std::vector<Aabb>& boxes,
+                                      const std::vector<BodyFilter>& filters) {
+  const Arguments with{ids, boxes, filters};
+  const Status status = call_engine([&] { return engine_.insert(with.ids, with.boxes, with.filters); });
+  count_bodies(ids.size());
+  own_ids_ = own_ids_ || !ids.empty();
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    model_.boxes.emplace(ids[i], canonical_box(boxes[i]));
+    model_.filters[ids[i]] = filters[i];
+  }
+  return accepted("insert with filters", status);
+}
+
+// A changed filter takes a slot until the next update, as a body that is removed does.
+AssertionResult CheckedEngine::set_filters(const std::vector<BodyId>& ids,
+                                           const std::vector<BodyFilter>& filters) {
+  const Arguments with{ids, {}, filters};
+  const Status status = call_engine([&] {
+    return ids.size() == 1 ? engine_.set_filter(with.ids[0], with.filters[0])
+                           : engine_.set_filters(with.ids, with.filters);
+  });
+  for (std::size_t i = 0; i < ids.size(); ++i) model_.filters[ids[i]] = filters[i];
+  removed_ += ids.size();
+  count_bodies(0);
+  return accepted("set_filters", status);
 }
 
 AssertionResult CheckedEngine::add(const std::vector<Aabb>& boxes, std::vector<BodyId>& ids) {

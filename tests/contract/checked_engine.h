@@ -34,14 +34,17 @@ struct Answer {
 struct Model {
   std::map<BodyId, Aabb> boxes;
   std::map<BodyId, Aabb> shown;
-  std::set<BodyId> gone;  ///< removed since the last update, though the id may be back
+  std::map<BodyId, BodyFilter> filters;  ///< of bodies that have another than the default
+  std::set<BodyId> gone;                 ///< removed since the last update, though the id may be back
   std::vector<Pair> pairs;
 
   /// All ids, ascending.
   std::vector<BodyId> ids() const;
 
-  /// The pairs that brute force finds among the boxes now, ascending.
+  /// The pairs that brute force finds among the boxes now, and filters allow, ascending.
   std::vector<Pair> brute_force() const;
+
+  BodyFilter filter(BodyId id) const;
 
   void remove(BodyId id);
 
@@ -62,10 +65,14 @@ class CheckedEngine {
   CheckedEngine(Broadphase engine, std::string story);
 
   testing::AssertionResult insert(const std::vector<BodyId>& ids, const std::vector<Aabb>& boxes);
+  testing::AssertionResult insert(const std::vector<BodyId>& ids, const std::vector<Aabb>& boxes,
+                                  const std::vector<BodyFilter>& filters);
   /// Sets `ids` to those that were handed out.
   testing::AssertionResult add(const std::vector<Aabb>& boxes, std::vector<BodyId>& ids);
   testing::AssertionResult move(const std::vector<BodyId>& ids, const std::vector<Aabb>& boxes);
   testing::AssertionResult remove(const std::vector<BodyId>& ids);
+  testing::AssertionResult set_filters(const std::vector<BodyId>& ids,
+                                       const std::vector<BodyFilter>& filters);
   testing::AssertionResult update();
 
   /// Makes a call that must be refused, and checks that bodies and pairs stay as they were. What the engine

@@ -47,13 +47,20 @@ RandomCaller::RandomCaller(CheckedEngine& engine, const BoxKind& kind, std::size
       kind_(kind),
       bodies_(std::min(bodies, engine.capacity())),
       random_(seed),
+      filters_(random_.one_in(2)),
       names_(choose_names(random_, 2 * bodies_ + 4)) {}
 
 AssertionResult RandomCaller::fill() {
   std::vector<BodyId> ids = names_;
   random_.shuffle(ids);
   ids.resize(bodies_);
-  return engine_.insert(ids, make_boxes(kind_, random_, ids.size()));
+  return insert(ids);
+}
+
+AssertionResult RandomCaller::insert(const std::vector<BodyId>& ids) {
+  const std::vector<Aabb> boxes = make_boxes(kind_, random_, ids.size());
+  if (!filters_ || random_.one_in(2)) return engine_.insert(ids, boxes);
+  return engine_.insert(ids, boxes, some_filters(ids.size()));
 }
 
 AssertionResult RandomCaller::calls() {
@@ -71,7 +78,7 @@ AssertionResult RandomCaller::step() {
 
 AssertionResult RandomCaller::call() {
   const std::size_t held = engine_.model().boxes.size();
-  switch (random_.below(17)) {
+  switch (random_.below(18)) {
     case 0:
     case 1:
       return insert_some(1);
@@ -97,6 +104,8 @@ AssertionResult RandomCaller::call() {
     case 13:
       return move_some(held);
     case 14:
+      return filters_ ? filter_some(random_.one_in(2) ? 1 : 1 + held / 4) : move_some(1);
+    case 15:
       return add_some(random_.one_in(2) ? 1 : bodies_);
     default:
       return move_some(1 + held / 8);
@@ -104,8 +113,7 @@ AssertionResult RandomCaller::call() {
 }
 
 AssertionResult RandomCaller::insert_some(std::size_t most) {
-  const std::vector<BodyId> ids = some_absent(std::min(most, room()));
-  return engine_.insert(ids, make_boxes(kind_, random_, ids.size()));
+  return insert(some_absent(std::min(most, room())));
 }
 
 /// Bodies whose ids are handed out, and may be the names of this run, too.
@@ -136,6 +144,25 @@ AssertionResult RandomCaller::replace_some(std::size_t most) {
   }
   if (AssertionResult removed = engine_.remove(ids); !removed) return removed;
   return engine_.insert(ids, boxes);
+}
+
+/// Others, the same, or of one body two.
+AssertionResult RandomCaller::filter_some(std::size_t most) {
+  std::vector<BodyId> ids = some_present(most);
+  if (!ids.empty() && random_.one_in(4)) ids.push_back(random_.pick(ids));
+  return engine_.set_filters(ids, some_filters(ids.size()));
+}
+
+/// Half of the bodies meet half of the others; a third is static.
+std::vector<BodyFilter> RandomCaller::some_filters(std::size_t count) {
+  std::vector<BodyFilter> filters(count);
+  for (BodyFilter& filter : filters) {
+    if (random_.one_in(3)) continue;
+    filter.category = 1U << random_.below(3) | (random_.one_in(8) ? 0x80000000U : 0U);
+    filter.mask = random_.one_in(8) ? 0 : static_cast<std::uint32_t>(random_.bits()) | 1U;
+    filter.is_static = random_.one_in(3);
+  }
+  return filters;
 }
 
 /// Bodies that no update ever sees.

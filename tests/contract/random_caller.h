@@ -1,5 +1,5 @@
 /// @file
-/// A random user of an engine: inserts, adds, moves and removes bodies, one at a time and in bulk.
+/// A random user of an engine: inserts, adds, moves, filters and removes bodies, one at a time and in bulk.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,11 +31,13 @@ class RandomCaller {
 
  private:
   testing::AssertionResult call();
+  testing::AssertionResult insert(const std::vector<BodyId>& ids);
   testing::AssertionResult insert_some(std::size_t most);
   testing::AssertionResult add_some(std::size_t most);
   testing::AssertionResult move_some(std::size_t most);
   testing::AssertionResult remove_some(std::size_t most);
   testing::AssertionResult replace_some(std::size_t most);
+  testing::AssertionResult filter_some(std::size_t most);
   testing::AssertionResult insert_and_remove();
   testing::AssertionResult remove_all();
   testing::AssertionResult nothing_in_bulk();
@@ -44,11 +46,13 @@ class RandomCaller {
   std::vector<BodyId> some_present(std::size_t most);
   std::vector<BodyId> some_absent(std::size_t most);
   std::vector<Aabb> next_boxes(const std::vector<BodyId>& ids);
+  std::vector<BodyFilter> some_filters(std::size_t count);
 
   CheckedEngine& engine_;
   const BoxKind& kind_;
   std::size_t bodies_;
   Random random_;
+  bool filters_ = false;       ///< whether this run gives any
   std::vector<BodyId> names_;  ///< the ids that this run gives: twice as many as bodies
 };
 

@@ -13,6 +13,7 @@
 #include "cellsweep/broadphase.h"
 #include "cellsweep/engine/slots.h"
 #include "cellsweep/export.h"
+#include "cellsweep/filter.h"
 #include "cellsweep/status.h"
 
 namespace cellsweep {
@@ -24,11 +25,19 @@ struct BodyChanges {
   std::span<const Slot> removed;  ///< given to nobody else before the next update
   std::span<const Slot> moved;    ///< the box may be the one before again
   std::span<const Slot> inserted;
-  std::size_t bodies = 0;   ///< held now
+  std::size_t bodies = 0;  ///< held now
+  /// By slot, empty while all bodies have the default; slots behind the end have it, too. What a slot has
+  /// stays as it is until the slot was removed and inserted again.
+  std::span<const BodyFilter> filters{};
   bool ids_ascend = false;  ///< with their slots: pairs in the order of slots need not be sorted again
 
   bool none() const { return removed.empty() && moved.empty() && inserted.empty(); }
 };
+
+/// Of a slot, among the filters of BodyChanges.
+inline BodyFilter filter_of(std::span<const BodyFilter> filters, Slot slot) {
+  return slot < filters.size() ? filters[slot] : BodyFilter{};
+}
 
 /// What an engine found. The memory is the engine's until its next update.
 struct FoundPairs {
@@ -39,6 +48,8 @@ struct FoundPairs {
   std::span<const std::span<const std::uint64_t>> more_began{};
   /// Everything is in `began` and `more_began`: all pairs that there are now, whatever was before.
   bool is_whole_set = false;
+  /// Pairs that filters do not allow were left out. If not, the handle does that.
+  bool is_filtered = false;
 
   bool none() const { return began.empty() && ended.empty() && more_began.empty() && !is_whole_set; }
 };

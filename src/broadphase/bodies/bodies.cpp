@@ -1,6 +1,7 @@
 #include "broadphase/bodies/bodies.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/memory/array.h"
@@ -38,7 +39,16 @@ class SeenBodies {
 
 Status Bodies::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes, std::string_view engine,
                       const Capacity& capacity) {
+  return insert(ids, boxes, {}, engine, capacity);
+}
+
+// No filters: the default for all.
+Status Bodies::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
+                      std::span<const BodyFilter> filters, std::string_view engine,
+                      const Capacity& capacity) {
   if (ids.size() != boxes.size()) return length_status(ids.size(), boxes.size());
+  if (!filters.empty() && ids.size() != filters.size())
+    return length_status(ids.size(), filters.size(), "filters");
   const bool clean = are_clean(boxes);
   if (!clean && !are_valid(boxes)) return find_invalid_boxes(ids, boxes);
   if (Status status = check_room(engine, capacity, ids.size()); !status.ok()) {
@@ -46,14 +56,47 @@ Status Bodies::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes, 
     if (Status held = find_held(table_, ids); !held.ok()) return held;
     return status;
   }
-  boxes_.reserve(table_.slot_count() + ids.size());
+  const std::size_t slots = table_.slot_count() + ids.size();
+  boxes_.reserve(slots);
+  if (!filters.empty() || filters_.in_use()) filters_.reserve(slots, 0);
   const std::size_t before = inserted_.size();
   if (!table_.insert(ids, inserted_)) {
     if (Status status = find_listed_twice(ids); !status.ok()) return status;
     return find_held(table_, ids);
   }
-  boxes_.insert(std::span(inserted_).subspan(before), boxes, clean);
+  const std::span<const Slot> inserted = std::span(inserted_).subspan(before);
+  boxes_.insert(inserted, boxes, clean);
+  if (filters.empty() && !filters_.in_use()) return {};
+  for (std::size_t i = 0; i < inserted.size(); ++i)
+    filters_.set(inserted[i], filters.empty() ? BodyFilter{} : filters[i]);
   return {};
+}
+
+Status Bodies::set_filters(std::span<const BodyId> ids, std::span<const BodyFilter> filters) {
+  if (ids.size() != filters.size()) return length_status(ids.size(), filters.size(), "filters");
+  if (Status status = find_unknown(table_, ids); !status.ok()) return status;
+  const std::size_t slots = table_.slot_count() + ids.size();
+  table_.reserve_slots(slots);
+  table_.reserve_removals(ids.size());
+  boxes_.reserve(slots);
+  boxes_.reserve_removals(ids.size());
+  filters_.reserve(slots, ids.size());
+  make_room(inserted_, inserted_.size() + ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) set_filter(table_.find(ids[i]), filters[i]);
+  return {};
+}
+
+// A slot's filter is what it was as long as there are pairs of the slot, so the body gets another one.
+void Bodies::set_filter(Slot slot, const BodyFilter& filter) {
+  if (filters_.of(slot) == filter) return;
+  if (boxes_.state(slot) == kInserted) return filters_.set(slot, filter);
+  const Aabb box = boxes_.next_box(slot);
+  const Slot next = table_.renew_slot(slot);
+  boxes_.remove(slot);
+  boxes_.insert({&next, 1}, {&box, 1}, true);
+  inserted_.push_back(next);
+  filters_.set(next, filter);
+  filters_.move(slot, next);
 }
 
 // Slots that wait for the next update are nobody's.
@@ -141,7 +184,14 @@ std::vector<BodyId> Bodies::removed_ids() const {
   ids.reserve(boxes_.removed().size());
   for (const Slot slot : boxes_.removed()) ids.push_back(table_.id(slot));
   std::sort(ids.begin(), ids.end());
-  return ids;
+  std::vector<BodyId> stayed;
+  for (const auto& [from, to] : filters_.moves()) {
+    if (table_.find(table_.id(from)) == to) stayed.push_back(table_.id(from));
+  }
+  std::sort(stayed.begin(), stayed.end());
+  std::vector<BodyId> gone;
+  std::set_difference(ids.begin(), ids.end(), stayed.begin(), stayed.end(), std::back_inserter(gone));
+  return gone;
 }
 
 BodyChanges Bodies::begin_update() {
@@ -150,6 +200,7 @@ BodyChanges Bodies::begin_update() {
   BodyChanges changes = boxes_.begin_update();
   changes.inserted = inserted_;
   changes.bodies = size();
+  changes.filters = filters_.view();
   changes.ids_ascend = table_.is_ascending();
   return changes;
 }
@@ -161,6 +212,7 @@ void Bodies::undo() {
 void Bodies::commit() {
   boxes_.commit(inserted_);
   inserted_.clear();
+  filters_.commit();
   table_.release();
   if (table_.slot_count() > 0 || boxes_.slots() == 0) return;
   // With nobody left all memory goes back. The table goes on counting its versions.
@@ -176,14 +228,16 @@ BodyChanges Bodies::all_as_new() {
   for (Slot slot = 0; slot < boxes.size(); ++slot) {
     if (boxes[slot].min[0] <= boxes[slot].max[0]) slots_.push_back(slot);
   }
-  return {boxes, {}, {}, {}, slots_, size()};
+  return {boxes, {}, {}, {}, slots_, size(), filters_.view()};
 }
 
 bool Bodies::tidy() {
   if (!table_.is_sparse()) return false;
   Vector<Slot> before;
   IdTable table = table_.renumbered(before);
+  SlotFilters filters = filters_.renumbered(before);
   boxes_.renumber(before);
+  filters_ = std::move(filters);
   table_ = std::move(table);
   inserted_ = Vector<Slot>();
   moved_ = Vector<Slot>();
@@ -192,7 +246,7 @@ bool Bodies::tidy() {
 }
 
 std::size_t Bodies::bytes() const {
-  return table_.bytes() + boxes_.bytes() +
+  return table_.bytes() + boxes_.bytes() + filters_.bytes() +
          (inserted_.capacity() + moved_.capacity() + slots_.capacity()) * sizeof(Slot);
 }
 

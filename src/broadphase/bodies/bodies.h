@@ -11,6 +11,7 @@
 #include "base/memory/memory.h"
 #include "broadphase/bodies/id_table.h"
 #include "broadphase/bodies/move_check.h"
+#include "broadphase/bodies/slot_filters.h"
 #include "broadphase/bodies/staged_boxes.h"
 #include "cellsweep/broadphase.h"
 #include "cellsweep/engine/engine.h"
@@ -25,13 +26,20 @@ class Bodies {
   /// The input calls of Broadphase. `engine` and `capacity` are for the sentence that refuses one.
   Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes, std::string_view engine,
                 const Capacity& capacity);
+  Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes, std::span<const BodyFilter> filters,
+                std::string_view engine, const Capacity& capacity);
   Status add(std::span<const Aabb> boxes, std::span<BodyId> ids, std::string_view engine,
              const Capacity& capacity);
+  Status set_filters(std::span<const BodyId> ids, std::span<const BodyFilter> filters);
   Status move(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
   Status remove(std::span<const BodyId> ids);
 
   /// Boxes as of the last update.
   Status boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const;
+
+  /// Of a body that is held: what counts from the next update on.
+  BodyFilter filter(Slot slot) const { return filters_.of(slot); }
+  const SlotFilters& filters() const { return filters_; }
 
   /// By slot.
   std::span<const Aabb> all_boxes() const { return boxes_.boxes(); }
@@ -44,7 +52,7 @@ class Bodies {
   /// Between begin_update() and its end.
   BodyChanges all_as_new();
 
-  /// Of the bodies of the last update that are gone, ascending.
+  /// Of the bodies of the last update that are gone, ascending; one whose filter changed is not.
   std::vector<BodyId> removed_ids() const;
 
   /// Numbers slots anew when most are free; true when it did. All engines must begin anew then. Between
@@ -58,10 +66,12 @@ class Bodies {
  private:
   Status check_room(std::string_view engine, const Capacity& capacity, std::size_t more) const;
   bool check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
+  void set_filter(Slot slot, const BodyFilter& filter);
   MovedBodies checked_moves(const Crew& crew, std::span<const Aabb> boxes) const;
 
   IdTable table_;
   StagedBoxes boxes_;
+  SlotFilters filters_;
   Vector<Slot> inserted_;
   bool some_unseen_ = false;       // some of the inserted were removed again, and are kGone
   Vector<Slot> moved_;             // slots of the last call of move(), and whatever was behind them before

@@ -34,7 +34,7 @@ void IdTable::grow_direct(std::span<const BodyId> ids) {
     largest = std::max(largest, id < most ? id : 0);
   }
   const std::size_t entries = std::size_t{largest} + 1;
-  if (2 * count < ids.size() || entries <= direct_.size()) return;
+  if (2 * std::size_t{count} < ids.size() || entries <= direct_.size()) return;
   make_room(direct_, entries);
   direct_.resize(entries, kNoSlot);
 }
@@ -171,6 +171,18 @@ void IdTable::remove(Slot slot) {
   removed_.push_back(slot);
   --size_;
   ++version_;
+}
+
+Slot IdTable::renew_slot(Slot slot) {
+  const BodyId id = ids_[slot];
+  const Slot next = next_slot(0);
+  unmap(id);
+  map(id, next);
+  take_slot(id);
+  removed_.push_back(slot);
+  --size_;
+  ++version_;
+  return next;
 }
 
 void IdTable::release() {

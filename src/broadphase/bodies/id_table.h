@@ -44,6 +44,12 @@ class IdTable {
   /// Makes room for removing so many: remove() and release() take no memory then.
   void reserve_removals(std::size_t count);
 
+  /// Gives a body that is held another slot, as if it had been removed and inserted again; returns it. Takes
+  /// no memory after reserve_removals() and reserve_slots().
+  Slot renew_slot(Slot slot);
+  /// Makes room for so many slots in all.
+  void reserve_slots(std::size_t slots) { make_room(ids_, slots); }
+
   /// Removes a body that is held, in this slot.
   void remove(Slot slot);
 

@@ -48,8 +48,9 @@ Status refuse(StatusCode code, const std::vector<BodyId>& bad, const char* why) 
 
 }  // namespace
 
-Status length_status(std::size_t ids, std::size_t boxes) {
-  return Status::bad_input(text("There are ", ids, " ids but ", boxes, " boxes; one box an id is needed."));
+Status length_status(std::size_t ids, std::size_t others, std::string_view what) {
+  return Status::bad_input(
+      text("There are ", ids, " ids but ", others, " ", what, "; one for each id is needed."));
 }
 
 Status find_invalid_boxes(std::span<const BodyId> ids, std::span<const Aabb> boxes) {

@@ -12,8 +12,8 @@
 
 namespace cellsweep {
 
-/// For spans that should be equally long.
-Status length_status(std::size_t ids, std::size_t boxes);
+/// For spans that should be equally long; `what` are those that are not ids, in the plural.
+Status length_status(std::size_t ids, std::size_t others, std::string_view what = "boxes");
 
 /// All boxes that are invalid, or an ok status. One body each; `ids` may be empty, then bodies are called by
 /// their places in the call.

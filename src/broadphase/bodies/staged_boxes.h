@@ -45,6 +45,9 @@ class StagedBoxes {
   /// Whether bodies of consecutive slots are at rest, and have these boxes.
   bool are_at_rest(Slot first, std::span<const Aabb> boxes) const;
 
+  /// The box that the next update will bring, of a body that is held.
+  const Aabb& next_box(Slot slot) const { return states_[slot] == kMoved ? next_[slot] : boxes_[slot]; }
+
   /// Makes room for so many slots in all: insert() takes no memory then.
   void reserve(std::size_t slots);
   /// New slots come behind all others, in order; those that were free before are anywhere.

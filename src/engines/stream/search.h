@@ -23,6 +23,12 @@ class Search {
   /// `finder` finds pairs in the kernels' place; null for them. More pairs than `max_pairs` are refused.
   Search(Crew& crew, const Kernels& kernels, PieceFinder* finder, std::size_t max_pairs);
 
+  /// From now on pairs must be allowed by these filters: CellTree::allow().
+  void allow(std::span<const BodyFilter> filters) {
+    cells_.allow(filters);
+    swept_.allow(filters);
+  }
+
   /// Finds all pairs of fat boxes anew: found(). Makes cells for it when they are wanted, or when a sweep
   /// would take more. Where fat boxes have far too many pairs, they become the boxes themselves again.
   /// Throws TooManyPairs when boxes have more than allowed.

@@ -37,6 +37,7 @@ Capacity Stream::capacity() const {
 
 Stream::Kind Stream::take(const BodyChanges& changes) {
   bodies_ = changes.bodies;
+  search_.allow(changes.filters);
   crew_.plan(changes.moved.size(), tuning::kMoveGuess);
   switch (fat_boxes_.take(crew_, changes, most_listed_)) {
     case FatBoxes::Extent::inside:
@@ -60,6 +61,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
   FoundPairs found;
   try {
     found = counted(find(changes, kind, timer));
+    found.is_filtered = true;
   } catch (const TooManyPairs&) {
     return too_many_pairs(parts_.max_pairs);
   } catch (PieceFailure& failure) {

@@ -18,6 +18,13 @@ CellTree::CellTree(Crew& crew, const Kernels& kernels, PieceFinder* finder)
   ended_.resize(scratches_.size());
 }
 
+void CellTree::allow(std::span<const BodyFilter> filters) {
+  filters_ = filters;
+  for (const auto& scratch : scratches_) {
+    for (Keys* keys : {&scratch->found, &scratch->began, &scratch->ended}) keys->allow(filters);
+  }
+}
+
 void CellTree::limit_pairs(std::size_t most) {
   for (const auto& scratch : scratches_) scratch->found.buffer().most = scratch->began.buffer().most = most;
 }
@@ -40,10 +47,11 @@ void CellTree::reset(std::size_t boxes) {
 void CellTree::build(const Boxes& boxes) {
   reset(boxes.count());
   const bool collects = finder_ != nullptr;
-  TreeBuilder(crew_, kernels_, scratches_, collects).build(boxes, root_);
+  TreeBuilder(crew_, kernels_, scratches_, filters_, collects).build(boxes, root_);
   for (std::size_t worker = 0; worker < scratches_.size(); ++worker) {
     Scratch& scratch = *scratches_[worker];
     if (collects) finder_->find(scratch.collected, scratch.found.buffer());
+    scratch.found.leave_out();
     found_[worker] = scratch.found.view();
   }
 }
@@ -79,6 +87,8 @@ void CellTree::clear_changes() {
 
 void CellTree::show_changes() {
   for (std::size_t worker = 0; worker < scratches_.size(); ++worker) {
+    scratches_[worker]->began.leave_out();
+    scratches_[worker]->ended.leave_out();
     began_[worker] = scratches_[worker]->began.view();
     ended_[worker] = scratches_[worker]->ended.view();
   }

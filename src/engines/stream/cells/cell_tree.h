@@ -60,6 +60,10 @@ class CellTree {
   /// No cells and no pairs; of the memory, what little the next build begins with is kept.
   void clear();
 
+  /// From now on pairs must be allowed by these filters, by slot, which stay where they are until the next
+  /// call of allow(); none: all are. find_partners() does not ask for them.
+  void allow(std::span<const BodyFilter> filters);
+
   /// From now on build() and change() may throw TooManyPairs when they find more than this.
   void limit_pairs(std::size_t most);
 
@@ -100,6 +104,7 @@ class CellTree {
   Crew& crew_;
   const Kernels& kernels_;
   PieceFinder* finder_;
+  std::span<const BodyFilter> filters_;
   std::vector<std::unique_ptr<Scratch>> scratches_;
   std::vector<std::span<const std::uint64_t>> found_;  // by worker
   std::vector<std::span<const std::uint64_t>> began_;

@@ -7,39 +7,58 @@
 #include "base/memory/memory.h"
 
 namespace cellsweep::stream {
-namespace {
 
-void grow_keys(KeyBuffer& buffer, std::size_t more) {
+Keys::Keys() {
+  grow = make_more_room;
+}
+
+Keys& Keys::operator=(Keys&& other) noexcept {
+  std::swap(buffer(), other.buffer());
+  std::swap(filters_, other.filters_);
+  std::swap(allowed_, other.allowed_);
+  return *this;
+}
+
+// Where filters leave much room, there is no need for more.
+void Keys::make_more_room(KeyBuffer& buffer, std::size_t more) {
+  static_cast<Keys&>(buffer).leave_out();
   if (buffer.size > buffer.most) throw TooManyPairs();
+  if (buffer.capacity - buffer.size >= std::max(more, buffer.capacity / 4)) return;
   const std::size_t capacity = std::max(2 * buffer.capacity, buffer.size + more + 1000);
   auto* memory = reinterpret_cast<std::byte*>(buffer.keys);
   buffer.keys = reinterpret_cast<std::uint64_t*>(grow_memory(memory, capacity * sizeof(std::uint64_t)));
   buffer.capacity = capacity;
 }
 
-}  // namespace
-
-Keys::Keys() {
-  buffer_.grow = grow_keys;
+void Keys::leave_out() {
+  if (filters_.empty()) return;
+  std::uint64_t* to = keys + allowed_;
+  for (std::size_t i = allowed_; i < size; ++i) {
+    const std::uint64_t key = keys[i];
+    *to = key;
+    const BodyFilter one = filter_of(filters_, static_cast<Slot>(key >> 32));
+    to += may_pair(one, filter_of(filters_, static_cast<Slot>(key))) ? 1 : 0;
+  }
+  size = allowed_ = static_cast<std::size_t>(to - keys);
 }
 
-Keys& Keys::operator=(Keys&& other) noexcept {
-  std::swap(buffer_, other.buffer_);
-  return *this;
+void Keys::shrink(std::size_t count) {
+  size = count;
+  allowed_ = std::min(allowed_, count);
 }
 
 void Keys::clear() {
   constexpr std::size_t kKept = 4096;
-  if (buffer_.capacity > kKept && buffer_.size < buffer_.capacity / 8) {
-    give_memory(buffer_.keys);
-    buffer_.keys = nullptr;
-    buffer_.capacity = 0;
+  if (capacity > kKept && size < capacity / 8) {
+    give_memory(keys);
+    keys = nullptr;
+    capacity = 0;
   }
-  buffer_.size = 0;
+  shrink(0);
 }
 
 Keys::~Keys() {
-  give_memory(buffer_.keys);
+  give_memory(keys);
 }
 
 }  // namespace cellsweep::stream

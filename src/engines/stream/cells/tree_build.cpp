@@ -169,9 +169,20 @@ void TreeBuilder::find_pairs(const CellBoxes& cell, Scratch& scratch) const {
   if (collects_) {
     scratch.collected.push_back(cell);
   } else {
-    kernels_.all_pairs(cell, scratch.found.buffer());
-    scratch.tests += std::uint64_t{cell.count} * (cell.count - 1) / 2;
+    // What is static is not compared with what is, too.
+    const std::uint32_t rows = filters_.empty() ? cell.count : put_static_last(cell);
+    kernels_.all_pairs(cell, rows, scratch.found.buffer());
+    scratch.found.leave_out();
+    scratch.tests += std::uint64_t{rows} * (2 * std::uint64_t{cell.count} - rows - 1) / 2;
   }
+}
+
+// Returns how many are not.
+std::uint32_t TreeBuilder::put_static_last(const CellBoxes& cell) const {
+  const auto moves = [&](const TaggedBox& box) {
+    return !filter_of(filters_, box.tag & kSlotMask).is_static;
+  };
+  return static_cast<std::uint32_t>(std::partition(cell.boxes, cell.boxes + cell.count, moves) - cell.boxes);
 }
 
 void TreeBuilder::build_inside(const CellBoxes& boxes, Cell& cell, Scratch& scratch, unsigned depth) const {

@@ -15,8 +15,8 @@ namespace cellsweep::stream {
 class TreeBuilder {
  public:
   TreeBuilder(Crew& crew, const Kernels& kernels, std::span<const std::unique_ptr<Scratch>> scratches,
-              bool collects)
-      : crew_(crew), kernels_(kernels), scratches_(scratches), collects_(collects) {}
+              std::span<const BodyFilter> filters, bool collects)
+      : crew_(crew), kernels_(kernels), scratches_(scratches), filters_(filters), collects_(collects) {}
 
   void build(const Boxes& boxes, Node& root);
 
@@ -39,11 +39,13 @@ class TreeBuilder {
   void build_inside(const CellBoxes& boxes, Cell& cell, Scratch& scratch, unsigned depth) const;
   void split(const Boxes& boxes, Node& node, Scratch& scratch, unsigned depth) const;
   void find_pairs(const CellBoxes& cell, Scratch& scratch) const;
+  std::uint32_t put_static_last(const CellBoxes& cell) const;
   void keep_whole(const CellBoxes& boxes, Cell& cell, Scratch& scratch) const;
 
   Crew& crew_;
   const Kernels& kernels_;
   std::span<const std::unique_ptr<Scratch>> scratches_;
+  std::span<const BodyFilter> filters_;
   bool collects_;
 };
 

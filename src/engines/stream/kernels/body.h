@@ -75,7 +75,7 @@ inline void add_pairs(const Hits* hits, std::size_t count, const TaggedBox* boxe
 }
 
 template <class Lanes>
-void all_pairs(const CellBoxes& cell, KeyBuffer& found) {
+void all_pairs(const CellBoxes& cell, std::uint32_t rows, KeyBuffer& found) {
   // Copies: what is written to `hits` must not look like a change of these.
   const TaggedBox* const boxes = cell.boxes;
   const std::uint32_t end_of_cell = cell.count;
@@ -83,7 +83,7 @@ void all_pairs(const CellBoxes& cell, KeyBuffer& found) {
   for (std::uint32_t first = 0; first < end_of_cell; first += Lanes::kCount) {
     const Block<Lanes> block(boxes + first);
     const std::uint32_t there = lanes_below<Lanes>(end_of_cell - first);
-    const std::uint32_t end = first + Lanes::kCount < end_of_cell ? first + Lanes::kCount : end_of_cell;
+    const std::uint32_t end = first + Lanes::kCount < rows ? first + Lanes::kCount : rows;
     for (std::uint32_t strip = 0; strip < end; strip += kStrip) {
       const std::uint32_t strip_end = strip + kStrip < end ? strip + kStrip : end;
       std::size_t count = 0;

@@ -76,8 +76,8 @@ struct Kernels {
   /// Finds the cells of eight boxes that lie `step` bytes apart.
   void (*eight_blocks)(const Aabb* boxes, std::size_t step, const GridNumbers& grid, EightBlocks& blocks);
 
-  /// Appends every overlapping pair that the cell owns.
-  void (*all_pairs)(const CellBoxes& cell, KeyBuffer& found);
+  /// Appends every overlapping pair that the cell owns of one of its first `rows` boxes with one behind it.
+  void (*all_pairs)(const CellBoxes& cell, std::uint32_t rows, KeyBuffer& found);
 
   /// Appends the pairs with a changed box that the cell owned before and does not now, and the other way
   /// round. `old` and `now` have the same bodies at the same places, with NaN for one that is not there;

@@ -13,22 +13,23 @@ void PairsOfFew::ask_before(CellTree& cells, const BodyChanges& changes, const s
     return fresh[slot] != 0 ? changes.before[slot] : changes.boxes[slot];
   };
   keys_before_.clear();
-  ask(cells, changes.removed, fresh, box_before, keys_before_);
-  ask(cells, changes.moved, fresh, box_before, keys_before_);
+  ask(cells, changes, changes.removed, fresh, box_before, keys_before_);
+  ask(cells, changes, changes.moved, fresh, box_before, keys_before_);
 }
 
 void PairsOfFew::ask_now(CellTree& cells, const BodyChanges& changes, const std::uint8_t* fresh) {
   const auto box_now = [&](Slot slot) -> const Aabb& { return changes.boxes[slot]; };
   keys_now_.clear();
-  ask(cells, changes.moved, fresh, box_now, keys_now_);
-  ask(cells, changes.inserted, fresh, box_now, keys_now_);
+  ask(cells, changes, changes.moved, fresh, box_now, keys_now_);
+  ask(cells, changes, changes.inserted, fresh, box_now, keys_now_);
 }
 
 // The fat boxes that a box overlaps, and of these the boxes. A pair of two that changed is found from both
 // sides, and listed from one.
 template <class BoxOf>
-void PairsOfFew::ask(CellTree& cells, std::span<const Slot> slots, const std::uint8_t* fresh,
-                     const BoxOf& box_of, Keys& pairs) {
+void PairsOfFew::ask(CellTree& cells, const BodyChanges& changes, std::span<const Slot> slots,
+                     const std::uint8_t* fresh, const BoxOf& box_of, Keys& pairs) {
+  pairs.allow(changes.filters);
   for (const Slot slot : slots) {
     const BoxLanes box(box_of(slot));
     partners_.clear();
@@ -41,6 +42,7 @@ void PairsOfFew::ask(CellTree& cells, std::span<const Slot> slots, const std::ui
       if (!is_listed || !overlap(box, BoxLanes(box_of(other)))) continue;
       found.keys[found.size++] = pair_key(make_slot_pair(slot, other));
     }
+    pairs.leave_out();
   }
 }
 

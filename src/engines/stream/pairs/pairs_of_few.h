@@ -32,8 +32,8 @@ class PairsOfFew {
 
  private:
   template <class BoxOf>
-  void ask(CellTree& cells, std::span<const Slot> slots, const std::uint8_t* fresh, const BoxOf& box_of,
-           Keys& pairs);
+  void ask(CellTree& cells, const BodyChanges& changes, std::span<const Slot> slots,
+           const std::uint8_t* fresh, const BoxOf& box_of, Keys& pairs);
   static void sort(Crew& crew, const Keys& keys, Array<std::uint64_t>& scratch, Array<SlotPair>& pairs);
 
   Keys partners_;  // of one body

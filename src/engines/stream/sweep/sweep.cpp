@@ -67,10 +67,11 @@ bool Sweep::find(const Kernels& kernels, std::span<const Aabb> boxes, Keys& foun
   const std::uint32_t count = make_rows(boxes);
   sort_rows(count);
   if (!pays(kernels, count)) return false;
-  const std::size_t before = found.buffer().size;
-  if (find_pairs(kernels, boxes, count, found.buffer())) return true;
-  found.buffer().size = before;
-  return false;
+  const std::size_t before = found.view().size();
+  const bool all = find_pairs(kernels, boxes, count, found.buffer());
+  if (!all) found.shrink(before);
+  found.leave_out();
+  return all;
 }
 
 // How many there are.

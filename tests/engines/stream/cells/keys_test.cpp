@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <vector>
+
 #include "base/memory/starved.h"
 
 namespace cellsweep::stream {
@@ -35,6 +37,41 @@ TEST(Keys, KeepTheirOrderWhileTheyGrow) {
   Keys keys;
   add(keys, 0, 100'000);
   expect_numbers_below(keys, 100'000);
+}
+
+// Of a thousand bodies that all overlap, ten are not static.
+TEST(Keys, TakeNoMemoryForPairsThatFiltersDoNotAllow) {
+  constexpr Slot kBodies = 1000;
+  std::vector<BodyFilter> filters(kBodies, BodyFilter{.is_static = true});
+  for (Slot slot = 0; slot < kBodies; slot += 100) filters[slot].is_static = false;
+  Keys keys;
+  keys.allow(filters);
+  std::vector<std::uint64_t> expected;
+  for (Slot one = 0; one < kBodies; ++one) {
+    for (Slot other = one + 1; other < kBodies; ++other) {
+      add(keys, pair_key(SlotPair{one, other}));
+      if (one % 100 == 0 || other % 100 == 0) expected.push_back(pair_key(SlotPair{one, other}));
+    }
+  }
+  keys.leave_out();
+  EXPECT_THAT(keys.view(), testing::ElementsAreArray(expected));
+  EXPECT_LE(keys.bytes(), 4 * sizeof(std::uint64_t) * (expected.size() + 1000));
+  keys.allow({});
+  add(keys, pair_key(SlotPair{1, 2}));
+  keys.leave_out();
+  EXPECT_EQ(keys.view().size(), expected.size() + 1) << "all are allowed again";
+}
+
+TEST(Keys, CountAgainstTheLimitWhenFiltersAllowThem) {
+  const std::vector<BodyFilter> filters(3000, BodyFilter{.mask = 0});
+  Keys keys;
+  keys.allow(filters);
+  keys.buffer().most = 10;
+  add(keys, 0, 2500);
+  keys.leave_out();
+  EXPECT_TRUE(keys.view().empty());
+  keys.allow({});
+  EXPECT_THROW(add(keys, 0, 5000), TooManyPairs);
 }
 
 TEST(Keys, HaveRoomForAsManyAsAreAskedForAtATime) {

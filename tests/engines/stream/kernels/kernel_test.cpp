@@ -92,8 +92,27 @@ TEST_P(KernelOf, FindsEveryPairThatTheCellOwnsOnce) {
       }
     }
     Keys found;
-    kernels_->all_pairs(cell.boxes(), found.buffer());
+    kernels_->all_pairs(cell.boxes(), cell.boxes().count, found.buffer());
     ASSERT_EQ(sorted(found), expected) << count << " boxes";
+  }
+}
+
+TEST_P(KernelOf, ComparesTheRowsThatItIsAskedFor) {
+  Random random(2);
+  for (std::uint32_t count = 0; count < 150; count += 7) {
+    const TestCell cell = random_cell(random, count);
+    for (const std::uint32_t rows : {0U, count / 3, count / 2 + 1, count}) {
+      if (rows > count) continue;
+      std::vector<std::uint64_t> expected;
+      for (std::uint32_t i = 0; i < rows; ++i) {
+        for (std::uint32_t j = i + 1; j < count; ++j) {
+          if (is_owned(cell, i, j)) expected.push_back(pair_key(SlotPair{i, j}));
+        }
+      }
+      Keys found;
+      kernels_->all_pairs(cell.boxes(), rows, found.buffer());
+      ASSERT_EQ(sorted(found), expected) << rows << " of " << count << " boxes";
+    }
   }
 }
 
@@ -104,7 +123,7 @@ TEST_P(KernelOf, NamesBodiesByTheirSlotsTheLowerFirst) {
     cell.set(0, Aabb{}, one | kWholeFlags << kSlotBits);
     cell.set(1, Aabb{}, other | kWholeFlags << kSlotBits);
     Keys found;
-    kernels_->all_pairs(cell.boxes(), found.buffer());
+    kernels_->all_pairs(cell.boxes(), cell.boxes().count, found.buffer());
     EXPECT_EQ(sorted(found), std::vector<std::uint64_t>{pair_key(make_slot_pair(one, other))});
     TestCell empty(2);
     empty.set(0, kNobody, one | kWholeFlags << kSlotBits);
@@ -124,7 +143,7 @@ TEST_P(KernelOf, StopsWhereThereAreMorePairsThanThereMayBe) {
   for (std::uint32_t i = 0; i < 400; ++i) cell.set(i, Aabb{}, i | kWholeFlags << kSlotBits);
   Keys found;
   found.buffer().most = 1000;
-  EXPECT_THROW(kernels_->all_pairs(cell.boxes(), found.buffer()), TooManyPairs);
+  EXPECT_THROW(kernels_->all_pairs(cell.boxes(), cell.boxes().count, found.buffer()), TooManyPairs);
 }
 
 TEST_P(KernelOf, FindsWhichPairsBeganAndEnded) {

@@ -1,0 +1,45 @@
+/// @file
+/// Leaves pairs out of what an engine found that the filters of their bodies do not allow.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/memory/array.h"
+#include "base/memory/list.h"
+#include "base/pair_sort.h"
+#include "broadphase/bodies/slot_filters.h"
+#include "cellsweep/engine/engine.h"
+
+namespace cellsweep {
+
+/// What throws std::bad_alloc has changed nothing that shows.
+class PairFilter {
+ public:
+  /// The pairs that filters allow. A pair that ended in a slot that a body left for another filter, and began
+  /// in the slot that it has now, did neither. Valid until the next call.
+  FoundPairs apply(const FoundPairs& found, const SlotFilters& filters);
+
+  std::size_t bytes() const;
+
+ private:
+  /// A pair that ended, by the slots that its bodies have now.
+  struct Ended {
+    std::uint64_t key_now;
+    SlotPair pair;
+  };
+
+  void allow(std::span<const SlotPair> pairs, const SlotFilters& filters, Array<SlotPair>& allowed);
+  void allow_keys(KeyParts parts, const SlotFilters& filters);
+  void cancel(const SlotFilters& filters);
+  void list_ended_now(const SlotFilters& filters);
+
+  Array<SlotPair> began_;
+  Array<SlotPair> ended_;
+  List<std::uint64_t> more_began_;
+  std::span<const std::uint64_t> more_view_;
+  List<Ended> ended_now_;
+};
+
+}  // namespace cellsweep
