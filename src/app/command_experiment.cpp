@@ -73,7 +73,7 @@ struct ExperimentCommand {
 void add_experiment(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand(
       "experiment",
-      "Measure every engine at several sizes: figures, their numbers, and a page that tells what of the "
+      "Measure engines at several sizes: figures, their numbers, and a page that tells what of the "
       "document's experiment holds");
   auto experiment = std::make_shared<ExperimentCommand>();
   auto& settings = experiment->settings;

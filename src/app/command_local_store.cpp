@@ -62,7 +62,7 @@ void add_local_store(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command =
       program.add_subcommand("local-store", "Show what a Cell engine puts into the local store of an SPE");
   auto local_store = std::make_shared<LocalStore>();
-  local_store->engines.add_to(*command, EngineFlags::Times::not_shown, "cell-paper");
+  local_store->engines.add_to(*command, EngineFlags::Purpose::a_look, "cell-paper");
   command->add_option("--bodies", local_store->bodies, "Bodies to lay out")
       ->check(count())
       ->type_name("N")

@@ -28,7 +28,7 @@ void add_replay(CLI::App& program, ExitCode& exit_code) {
   command->add_option("FILE", replay->file, "A recording: .aabbs, or .npy of shape (frames, bodies, 6)")
       ->required();
   replay->frames.add_to(*command, report::Progress::kOpenEnd, "all there are");
-  replay->engines.add_to(*command, EngineFlags::Times::shown);
+  replay->engines.add_to(*command, EngineFlags::Purpose::times);
   command->footer(
       "Example:\n"
       "  cellsweep replay bench/scenes/bullet-pile-1024.aabbs --json \\\n"

@@ -23,7 +23,7 @@ void add_simulate(CLI::App& program, ExitCode& exit_code) {
   auto simulate = std::make_shared<Simulate>();
   simulate->scene.add_to(*command);
   simulate->frames.add_to(*command, 100, "100");
-  simulate->engines.add_to(*command, EngineFlags::Times::shown);
+  simulate->engines.add_to(*command, EngineFlags::Purpose::times);
   command->footer(
       "Example:\n"
       "  cellsweep simulate --scene varied --bodies 2000 --moving 0.1 --frames 1000 \\\n"

@@ -73,7 +73,7 @@ void add_verify(CLI::App& program, ExitCode& exit_code) {
       ->check(count())
       ->type_name("N")
       ->default_str("all of a recording, 100 of a scene");
-  verify->engines.add_to(*command, EngineFlags::Times::not_shown);
+  verify->engines.add_to(*command, EngineFlags::Purpose::verdicts);
   command->add_flag("--json", verify->json, "One JSON object on standard output");
   command->footer(
       "Exit code 1 and the first differing pair when an engine is not exact.\n"

@@ -68,21 +68,26 @@ std::string reason_to_leave_out(const Broadphase& engine, std::size_t bodies) {
   return {};
 }
 
+std::string whole_table_text(EngineFlags::Purpose purpose) {
+  if (purpose == EngineFlags::Purpose::verdicts) return "all that hold so many bodies, but for the oracle";
+  return text("all that hold so many bodies, the oracle up to ",
+              report::count_text(report::kMostBodiesOfOracle));
+}
+
 }  // namespace
 
-void EngineFlags::add_to(CLI::App& command, Times times, std::string only) {
+void EngineFlags::add_to(CLI::App& command, Purpose purpose, std::string only) {
+  purpose_ = purpose;
   const bool whole_table = only.empty();
   if (!whole_table) names_.push_back(std::move(only));
   command.add_option("--engine", names_, "Engines, separated by commas")
       ->delimiter(',')
       ->type_name("NAME[,NAME...]")
-      ->default_str(whole_table ? text("all that hold so many bodies, the oracle up to ",
-                                       report::count_text(report::kMostBodiesOfOracle))
-                                : names_.front());
+      ->default_str(whole_table ? whole_table_text(purpose) : names_.front());
   for (const SharedSetting& setting : shared_settings()) {
-    if (times == Times::shown || !is_about_times(setting)) add_setting(command, setting);
+    if (purpose == Purpose::times || !is_about_times(setting)) add_setting(command, setting);
   }
-  if (times == Times::shown && !engines_with(kCycles).empty()) add_ppu_flags(command);
+  if (purpose == Purpose::times && !engines_with(kCycles).empty()) add_ppu_flags(command);
 }
 
 void EngineFlags::add_setting(CLI::App& command, const SharedSetting& setting) {
@@ -130,7 +135,9 @@ void EngineFlags::add_ppu_flags(CLI::App& command) {
 std::vector<std::string> EngineFlags::names() const {
   if (!names_.empty()) return names_;
   std::vector<std::string> all;
-  for (const EngineInfo& info : engine_table()) all.emplace_back(info.name);
+  for (const EngineInfo& info : engine_table()) {
+    if (purpose_ != Purpose::verdicts || info.name != report::kOracle) all.emplace_back(info.name);
+  }
   return all;
 }
 

@@ -18,13 +18,14 @@ namespace cellsweep::app {
 /// they ask for. A setting goes to the chosen engines that have it; one that none of them has is refused.
 class EngineFlags {
  public:
-  /// What a command is for: one that shows no frames' times has no use for those of a Cell.
-  enum class Times { shown, not_shown };
+  /// What a command is for. One that shows no frames' times has no use for those of a Cell; one that compares
+  /// all with the oracle none for another oracle.
+  enum class Purpose { times, verdicts, a_look };
 
   /// `only` as the default of --engine; empty: the whole table.
-  void add_to(CLI::App& command, Times times, std::string only = {});
+  void add_to(CLI::App& command, Purpose purpose, std::string only = {});
 
-  /// The engines chosen; without --engine, and no other default, all of the table.
+  /// The engines chosen; without --engine, and no other default, all of the table that the purpose needs.
   std::vector<std::string> names() const;
 
   /// Every setting that was given, whichever engines have it.
@@ -45,6 +46,7 @@ class EngineFlags {
   void add_setting(CLI::App& command, const SharedSetting& setting);
   void add_ppu_flags(CLI::App& command);
 
+  Purpose purpose_ = Purpose::times;
   std::vector<std::string> names_;
   SettingValues values_;
   report::PpuCosts ppu_costs_;

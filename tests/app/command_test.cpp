@@ -11,6 +11,7 @@
 namespace cellsweep::app {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -63,6 +64,15 @@ TEST(Command, VerifiesEnginesAgainstTheOracle) {
       run_command("verify --scene wall --bodies 200 --moving 1 --spinning --frames 20");
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_THAT(result.output, HasSubstr("exact"));
+}
+
+TEST(Command, ComparesTheOracleWithItselfOnlyWhereItIsAskedTo) {
+  const std::string run = "verify --bodies 50 --frames 2 --json";
+  const CommandResult all = run_command(run);
+  EXPECT_EQ(all.exit_code, 0) << all.errors;
+  EXPECT_THAT(all.errors, IsEmpty());
+  EXPECT_THAT(all.output, AllOf(HasSubstr("\"stream\""), Not(HasSubstr("\"oracle\""))));
+  EXPECT_THAT(run_command(run + " --engine oracle").output, HasSubstr("\"oracle\""));
 }
 
 TEST(Command, ExitsWithOneAndShowsThePairWhenAnEngineIsNotExact) {

@@ -82,6 +82,7 @@ TEST_F(ExperimentCommand, WritesItsFilesAndAPageThatNeedsNothingFromElsewhere) {
   EXPECT_THAT(page, Not(HasSubstr("http")));
   EXPECT_THAT(page, Not(HasSubstr("<script")));
   EXPECT_THAT(page, Not(ContainsRegex("(src|href)=.[^#d]"))) << "data URIs and places in the page only";
+  EXPECT_THAT(page, ContainsRegex(" boxes, with control[a-z, -]* stream[a-z, -]* of cellsweep, on one"));
   EXPECT_THAT(page, HasSubstr("holds here"));
   EXPECT_THAT(page, HasSubstr("cannot be judged here")) << "with 1,024 boxes nothing was measured";
   for (const std::string name : {"cpu", "compiler", "flags", "commit", "seed"}) {

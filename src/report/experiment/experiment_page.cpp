@@ -112,6 +112,20 @@ std::string picture_html(const ExperimentResults& results, const std::string& pn
                                      "\">\n" + html_element("p", html_text(words + "."), "class=\"dim\""));
 }
 
+// Those that have a curve: ", with control, cell-paper and stream of cellsweep".
+std::string with_engines_text(const ExperimentResults& results) {
+  std::vector<std::string_view> names;
+  for (const CurveResult& result : results.curves) {
+    if (std::find(names.begin(), names.end(), result.curve.engine) == names.end())
+      names.push_back(result.curve.engine);
+  }
+  if (names.empty()) return {};
+  std::string words = text(", with ", names.front());
+  for (std::size_t i = 1; i < names.size(); ++i)
+    words += text(i + 1 == names.size() ? " and " : ", ", names[i]);
+  return words + " of cellsweep";
+}
+
 // What the reader gets, before any number.
 std::string subject_html(const ExperimentResults& results) {
   const std::string sizes = text(count_text(results.settings.bodies.front()), " to ",
@@ -120,9 +134,9 @@ std::string subject_html(const ExperimentResults& results) {
          html_element(
              "p",
              html_text(text("The time that it takes to find all overlapping pairs among ", sizes,
-                            ", with every engine of cellsweep, on one machine: when all boxes are new, when "
-                            "none moves and "
-                            "when one in ten does. There is a figure for each, with its numbers below it.")),
+                            with_engines_text(results),
+                            ", on one machine: when all boxes are new, when none moves and when "
+                            "one in ten does. There is a figure for each, with its numbers below it.")),
              "class=\"dim\"") +
          html_element(
              "p",

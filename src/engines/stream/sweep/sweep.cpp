@@ -16,9 +16,6 @@ namespace {
 constexpr std::uint32_t kPlaces = 512;
 /// Room behind the last byte for a vector.
 constexpr std::size_t kPadding = 64;
-/// Hits that are looked at at a time; more than there are vectors of the shortest kind.
-constexpr std::uint32_t kHits = 1024;
-static_assert(kHits > tuning::kMostSwept / 16 + 1);
 
 /// Maps coordinates of the three axes, in lanes 0 to 2, to whole numbers.
 struct NumberMap {

@@ -2,10 +2,12 @@
 /// All pairs of a small world without cells: boxes in the order of one axis, the other two in bytes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "base/memory/array.h"
+#include "base/tuning.h"
 #include "engines/stream/cells/grid.h"
 #include "engines/stream/cells/keys.h"
 #include "engines/stream/kernels/kernel.h"
@@ -16,9 +18,14 @@ namespace cellsweep::stream {
 /// small numbers is tested by its boxes.
 class Sweep {
  public:
+  /// Hits that are looked at at a time; of a box there may be one for each of the shortest vectors.
+  static constexpr std::uint32_t kHits = 1024;
+  static constexpr std::size_t kMostBoxes = 16 * (kHits - 1);
+  static_assert(kMostBoxes >= tuning::kMostSwept);
+
   /// Appends the keys of all pairs, in no order. False, and nothing is appended, when cells would take less:
   /// where small numbers tell too little. `boxes` are by slot, kNobody where there is no body; at most
-  /// tuning::kMostSwept. Throws TooManyPairs where `found` is limited.
+  /// kMostBoxes. Throws TooManyPairs where `found` is limited.
   bool find(const Kernels& kernels, std::span<const Aabb> boxes, Keys& found);
 
   /// Comparisons of two boxes, in bytes or as they are, since it was made.

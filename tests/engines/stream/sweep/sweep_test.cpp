@@ -61,6 +61,16 @@ TEST_P(SweepTest, FindsThePairsOfBruteForceInWorldsOfAnySize) {
   }
 }
 
+TEST_P(SweepTest, FindsThePairsOfAsManyBoxesAsItTakes) {
+  Random random(5);
+  std::vector<Aabb> boxes(Sweep::kMostBoxes / kScale);
+  for (Aabb& box : boxes) {
+    const float x = random.between(0, 512), y = random.between(0, 32);
+    box = {{x, y, 0}, {x + 0.9F, y + 0.9F, 1}};
+  }
+  EXPECT_EQ(pairs_of(boxes), pairs_among(boxes));
+}
+
 // Whether small numbers tell enough or not, every pair is found or none.
 TEST_P(SweepTest, FindsAllPairsOrNoneOfEveryKindOfBoxes) {
   Random random(7);
