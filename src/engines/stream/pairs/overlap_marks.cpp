@@ -234,7 +234,7 @@ void OverlapMarks::make_room(std::size_t candidates, std::size_t ended) {
 
 void OverlapMarks::mark_all(std::size_t candidates) {
   marks_.renew(candidates);
-  std::memset(marks_.data(), 1, candidates);
+  std::fill_n(marks_.data(), candidates, std::uint8_t{1});
 }
 
 template <class Test>
