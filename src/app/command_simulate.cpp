@@ -22,6 +22,7 @@ void add_simulate(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand("simulate", "Run a scene made from a seed");
   auto simulate = std::make_shared<Simulate>();
   simulate->scene.add_to(*command);
+  simulate->scene.add_filters_to(*command);
   simulate->frames.add_to(*command, 100, "100");
   simulate->engines.add_to(*command, EngineFlags::Purpose::times);
   command->footer(

@@ -69,6 +69,7 @@ void add_verify(CLI::App& program, ExitCode& exit_code) {
   auto verify = std::make_shared<Verify>();
   command->add_option("FILE", verify->file, "A recording; without one, a scene is run");
   verify->scene.add_to(*command);
+  verify->scene.add_filters_to(*command);
   command->add_option("--frames", verify->updates, "Updates after frame 0")
       ->check(count())
       ->type_name("N")

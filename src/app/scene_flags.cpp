@@ -80,12 +80,27 @@ void SceneFlags::add_to(CLI::App& command) {
       ->capture_default_str();
 }
 
+void SceneFlags::add_filters_to(CLI::App& command) {
+  constexpr const char* kFilterGroup = "Which bodies meet";
+  command
+      .add_flag("--static", settings.rest_is_static,
+                "Bodies that never move are static, and do not meet each other")
+      ->group(kFilterGroup);
+  command
+      .add_option("--groups", settings.groups, "Bodies belong to N groups in turn, and meet the other groups")
+      ->check(count(0, 32))
+      ->type_name("N")
+      ->group(kFilterGroup)
+      ->default_str("0, all meet all");
+}
+
 std::string SceneFlags::text() const {
   const SceneSettings& s = settings;
   return cellsweep::text(
       "--scene ", s.scene, " --bodies ", s.bodies,
       s.moving ? cellsweep::text(" --moving ", *s.moving) : std::string(), " --speed ", s.speed,
-      s.spinning ? " --spinning" : "",
+      s.spinning ? " --spinning" : "", s.rest_is_static ? " --static" : "",
+      s.groups > 1 ? cellsweep::text(" --groups ", s.groups) : std::string(),
       s.giant == GiantSlot::none ? std::string() : cellsweep::text(" --giant ", word_of(s.giant)), " --seed ",
       s.seed);
 }

@@ -13,6 +13,9 @@ namespace cellsweep::app {
 struct SceneFlags {
   void add_to(CLI::App& command);
 
+  /// Adds --static and --groups, for commands that hand filters to engines.
+  void add_filters_to(CLI::App& command);
+
   /// The flags that make this scene.
   std::string text() const;
 

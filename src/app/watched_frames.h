@@ -21,6 +21,7 @@ class WatchedFrames final : public FrameSource {
   std::span<const Aabb> boxes() const override { return frames_.boxes(); }
   std::span<const BodyId> bodies() const override { return frames_.bodies(); }
   std::span<const BodyPose> poses() const override { return frames_.poses(); }
+  std::span<const BodyFilter> filters() const override { return frames_.filters(); }
   std::span<const BodyId> moved() const override { return frames_.moved(); }
   std::span<const BodyId> inserted() const override { return frames_.inserted(); }
   std::span<const BodyId> removed() const override { return frames_.removed(); }

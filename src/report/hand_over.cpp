@@ -33,8 +33,12 @@ class PartOf {
 };
 
 Status insert(Broadphase& engine, const FrameSource& source, std::span<const BodyId> bodies, Shape shape) {
-  if (shape == Shape::boxes) return engine.insert(bodies, PartOf(source.boxes(), bodies).get());
-  return insert_posed(engine, bodies, PartOf(source.poses(), bodies).get());
+  const PartOf filters(source.filters(), source.filters().empty() ? std::span<const BodyId>() : bodies);
+  if (shape == Shape::boxes)
+    return engine.insert(bodies, PartOf(source.boxes(), bodies).get(), filters.get());
+  if (Status status = insert_posed(engine, bodies, PartOf(source.poses(), bodies).get()); !status.ok())
+    return status;
+  return filters.get().empty() ? Status() : engine.set_filters(bodies, filters.get());
 }
 
 Status move(Broadphase& engine, const FrameSource& source, std::span<const BodyId> bodies, Shape shape) {

@@ -9,9 +9,11 @@ namespace cellsweep::report {
 
 namespace {
 
-std::vector<Pair> pairs_of(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
+std::vector<Pair> pairs_of(std::span<const BodyId> ids, std::span<const Aabb> boxes,
+                           std::span<const BodyFilter> filters) {
   auto oracle = make_broadphase(OracleOptions{});
-  [[maybe_unused]] const bool good = oracle.ok() && oracle->insert(ids, boxes).ok() && oracle->update().ok();
+  [[maybe_unused]] const bool good =
+      oracle.ok() && oracle->insert(ids, boxes, filters).ok() && oracle->update().ok();
   assert(good);
   return {oracle->pairs().begin(), oracle->pairs().end()};
 }
@@ -21,18 +23,23 @@ std::vector<Pair> pairs_of(std::span<const BodyId> ids, std::span<const Aabb> bo
 std::vector<Pair> oracle_pairs(std::span<const Aabb> boxes) {
   std::vector<BodyId> ids(boxes.size());
   std::iota(ids.begin(), ids.end(), BodyId{0});
-  return pairs_of(ids, boxes);
+  return pairs_of(ids, boxes, {});
 }
 
-std::vector<Pair> oracle_pairs(std::span<const BodyId> bodies, std::span<const Aabb> boxes) {
+std::vector<Pair> oracle_pairs(std::span<const BodyId> bodies, std::span<const Aabb> boxes,
+                               std::span<const BodyFilter> filters) {
   std::vector<Aabb> some;
+  std::vector<BodyFilter> some_filters;
   some.reserve(bodies.size());
-  for (const BodyId id : bodies) some.push_back(boxes[id]);
-  return pairs_of(bodies, some);
+  for (const BodyId id : bodies) {
+    some.push_back(boxes[id]);
+    if (!filters.empty()) some_filters.push_back(filters[id]);
+  }
+  return pairs_of(bodies, some, some_filters);
 }
 
 std::vector<Pair> oracle_pairs(const FrameSource& source) {
-  return oracle_pairs(source.bodies(), source.boxes());
+  return oracle_pairs(source.bodies(), source.boxes(), source.filters());
 }
 
 }  // namespace cellsweep::report

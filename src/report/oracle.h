@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cellsweep/aabb.h"
+#include "cellsweep/filter.h"
 #include "cellsweep/pair.h"
 #include "cellsweep/world/frame_source.h"
 
@@ -22,8 +23,9 @@ inline constexpr std::size_t kMostBodiesOfOracle = 20'000;
 /// Every overlapping pair of bodies 0 … n − 1, ascending. Boxes are valid.
 std::vector<Pair> oracle_pairs(std::span<const Aabb> boxes);
 
-/// The same of some bodies; the boxes are by id.
-std::vector<Pair> oracle_pairs(std::span<const BodyId> bodies, std::span<const Aabb> boxes);
+/// The same of some bodies; the boxes are by id, and so are filters, where there are any.
+std::vector<Pair> oracle_pairs(std::span<const BodyId> bodies, std::span<const Aabb> boxes,
+                               std::span<const BodyFilter> filters = {});
 
 /// Of those that are in the frame a source stands at.
 std::vector<Pair> oracle_pairs(const FrameSource& source);

@@ -66,7 +66,8 @@ class Trial {
     }
     const auto boxes = handed_out_boxes(fed.engine, source_);
     if (!boxes) return boxes.status();
-    judge.compare(fed.engine.pairs(), *changes, oracle_pairs(source_.bodies(), *boxes), *boxes);
+    judge.compare(fed.engine.pairs(), *changes, oracle_pairs(source_.bodies(), *boxes, source_.filters()),
+                  *boxes);
     return {};
   }
 

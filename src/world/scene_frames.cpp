@@ -1,8 +1,10 @@
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "cellsweep/world/scene.h"
+#include "world/scene_filters.h"
 #include "world/scene_settings.h"
 #include "world/scenes/scripted_scene.h"
 
@@ -23,19 +25,24 @@ BodyPose pose_of(const RigidBody& body) {
 /// A world in which nobody is added or removed, so that ids are places.
 class WorldFrames final : public FrameSource {
  public:
-  WorldFrames(std::string name, World world) : name_(std::move(name)), world_(std::move(world)) {
+  WorldFrames(const SceneSettings& settings, World world) : name_(settings.scene), world_(std::move(world)) {
     boxes_.reserve(world_.size());
     poses_.reserve(world_.size());
     for (const RigidBody& body : world_.bodies()) {
       boxes_.push_back(body.box);
       poses_.push_back(pose_of(body));
     }
+    filters_ = make_filters(settings, [this](BodyId id) {
+      const RigidBody& body = world_.bodies()[id];
+      return body.velocity.isZero(0) && body.angular_velocity.isZero(0);
+    });
   }
 
   std::string name() const override { return name_; }
   std::span<const Aabb> boxes() const override { return boxes_; }
   std::span<const BodyId> bodies() const override { return world_.ids(); }
   std::span<const BodyPose> poses() const override { return poses_; }
+  std::span<const BodyFilter> filters() const override { return filters_; }
   std::span<const BodyId> moved() const override { return world_.moved(); }
 
   bool advance() override {
@@ -52,6 +59,7 @@ class WorldFrames final : public FrameSource {
   World world_;
   std::vector<Aabb> boxes_;
   std::vector<BodyPose> poses_;
+  std::vector<BodyFilter> filters_;
 };
 
 /// A script, and the bodies that follow it.
@@ -61,9 +69,9 @@ class ScriptedFrames final : public FrameSource {
       : name_(settings.scene),
         come_and_go_(scene.bodies_come_and_go),
         script_(make_script(settings)),
-        bodies_(settings.bodies,
-                giant_body(settings.giant == GiantSlot::none ? scene.giant : settings.giant, settings.bodies),
-                script_->giant()) {
+        giant_(giant_body(settings.giant == GiantSlot::none ? scene.giant : settings.giant, settings.bodies)),
+        bodies_(settings.bodies, giant_, script_->giant()),
+        filters_(make_filters(settings, [this](BodyId id) { return giant_ == id; })) {
     script_->enter(bodies_);
     bodies_.end_frame();
     bodies_.begin_frame();
@@ -73,6 +81,7 @@ class ScriptedFrames final : public FrameSource {
   bool bodies_come_and_go() const override { return come_and_go_; }
   std::span<const Aabb> boxes() const override { return bodies_.boxes(); }
   std::span<const BodyId> bodies() const override { return bodies_.bodies(); }
+  std::span<const BodyFilter> filters() const override { return filters_; }
   std::span<const BodyId> moved() const override { return bodies_.moved(); }
   std::span<const BodyId> inserted() const override { return bodies_.inserted(); }
   std::span<const BodyId> removed() const override { return bodies_.removed(); }
@@ -88,7 +97,9 @@ class ScriptedFrames final : public FrameSource {
   std::string name_;
   bool come_and_go_;
   std::unique_ptr<SceneScript> script_;
+  std::optional<BodyId> giant_;
   SceneBodies bodies_;
+  std::vector<BodyFilter> filters_;
   std::size_t frame_ = 0;
 };
 
@@ -101,7 +112,7 @@ Result<std::unique_ptr<FrameSource>> make_scene_frames(const SceneSettings& sett
   }
   Result<World> world = make_scene(settings);
   if (!world) return world.status();
-  return std::unique_ptr<FrameSource>(std::make_unique<WorldFrames>(settings.scene, std::move(*world)));
+  return std::unique_ptr<FrameSource>(std::make_unique<WorldFrames>(settings, std::move(*world)));
 }
 
 }  // namespace cellsweep

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "world/scene_filters.h"
+
 namespace cellsweep {
 namespace {
 
@@ -37,6 +39,10 @@ Status check_ranges(const SceneSettings& settings) {
   }
   if (!(settings.speed >= 0 && settings.speed <= kTopSpeed)) {
     return refuse("speed is " + number_text(settings.speed) + "; the factor on speeds is 0 to 1,000,000.");
+  }
+  if (settings.groups > kMostGroups) {
+    return refuse("groups is " + std::to_string(settings.groups) + "; a mask has bits for " +
+                  std::to_string(kMostGroups) + " groups.");
   }
   if (settings.bodies > kMostBodies) {
     return refuse("bodies is " + std::to_string(settings.bodies) + "; 32-bit ids name 0 to " +

@@ -66,6 +66,19 @@ TEST(Command, VerifiesEnginesAgainstTheOracle) {
   EXPECT_THAT(result.output, HasSubstr("exact"));
 }
 
+TEST(Command, VerifiesEnginesWhereNotAllBodiesMeet) {
+  for (const std::string scene : {"level", "pile", "open-world"}) {
+    const std::string run = "verify --bodies 150 --frames 20 --json --scene " + scene;
+    const CommandResult all = run_command(run);
+    const CommandResult some = run_command(run + " --static --groups 2");
+    EXPECT_EQ(some.exit_code, 0) << some.errors;
+    EXPECT_NE(some.output, all.output) << "fewer pairs";
+  }
+  EXPECT_EQ(
+      run_command("verify --engine cell-resident --spu-boxes --static --bodies 100 --frames 5").exit_code, 0);
+  EXPECT_THAT(run_command("simulate --groups 33").errors, HasSubstr("--groups"));
+}
+
 TEST(Command, ComparesTheOracleWithItselfOnlyWhereItIsAskedTo) {
   const std::string run = "verify --bodies 50 --frames 2 --json";
   const CommandResult all = run_command(run);

@@ -9,6 +9,7 @@
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/export.h"
+#include "cellsweep/filter.h"
 #include "cellsweep/pair.h"
 #include "cellsweep/pose.h"
 
@@ -37,6 +38,10 @@ class CELLSWEEP_API FrameSource {
   /// The poses of the bodies, indexed as the boxes; empty when the source knows none. They are those of the
   /// last frame in which the body's box changed. Valid until advance().
   virtual std::span<const BodyPose> poses() const { return {}; }
+
+  /// The filters of the bodies, indexed as the boxes, the same in all frames; empty when all have the
+  /// default.
+  virtual std::span<const BodyFilter> filters() const { return {}; }
 
   /// The bodies that were there in the frame before and whose box has changed since, ascending; empty at
   /// frame 0. Valid until advance().

@@ -30,6 +30,9 @@ struct SceneSettings {
   double speed = 1.0;              ///< factor on how far bodies move a frame; 0 to 1,000,000
   bool spinning = false;  ///< moving bodies also turn (W2), at most 0.1 radians a frame whatever the speed
   GiantSlot giant = GiantSlot::none;  ///< takes the place of a body, and never moves
+  bool rest_is_static = false;        ///< bodies that never move are; with a script, that is the giant alone
+  unsigned groups = 0;                ///< bodies belong to so many groups in turn, 32 at most, and meet only
+                                      ///< those of other groups; 0 or 1: all meet all
 };
 
 /// One row of the scene table.

@@ -20,7 +20,7 @@ class Sweep {
  public:
   /// Hits that are looked at at a time; of a box there may be one for each of the shortest vectors.
   static constexpr std::uint32_t kHits = 1024;
-  static constexpr std::size_t kMostBoxes = 16 * (kHits - 1);
+  static constexpr std::size_t kMostBoxes = std::size_t{16} * (kHits - 1);
   static_assert(kMostBoxes >= tuning::kMostSwept);
 
   /// Appends the keys of all pairs, in no order. False, and nothing is appended, when cells would take less:
