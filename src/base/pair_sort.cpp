@@ -75,15 +75,20 @@ struct Range {
   std::uint64_t size() const { return high - low + 1; }
 };
 
+/// Keys whose first ids are known to lie in `range`.
+template <class AnyPair>
+void sort_in_range(std::span<Key> keys, const Range& range, AnyPair* sorted) {
+  const bool is_dense = range.size() <= kCounters && range.size() <= 16 * keys.size();
+  if (keys.size() > kFewKeys && is_dense) return sort_by_counting(keys, range.low, range.size(), sorted);
+  sort_by_keys(keys, sorted);
+}
+
 template <class AnyPair>
 void sort_bucket(std::span<Key> keys, AnyPair* sorted) {
   if (keys.size() <= kFewKeys) return sort_by_keys(keys, sorted);
   Range range;
   for (const Key key : keys) range.include(key);
-  if (range.size() <= kCounters && range.size() <= 16 * keys.size()) {
-    return sort_by_counting(keys, range.low, range.size(), sorted);
-  }
-  sort_by_keys(keys, sorted);
+  sort_in_range(keys, range, sorted);
 }
 
 /// The keys of several buffers cut into buckets of equally many first ids, by all workers.
@@ -166,19 +171,16 @@ class Distribution {
   std::array<std::size_t, kBuckets + 1> first_{};
 };
 
-bool is_one_bucket(KeyParts parts, std::size_t total) {
-  if (total <= kOneBucket) return true;
-  if (total > kOneCount) return false;
+Range gather(KeyParts parts, Array<Key>& scratch) {
   Range range;
-  for (const std::span<const Key> part : parts) {
-    for (const Key key : part) range.include(key);
-  }
-  return range.size() <= kCounters;
-}
-
-void gather(KeyParts parts, Array<Key>& scratch) {
   Key* end = scratch.data();
-  for (const std::span<const Key> part : parts) end = std::copy(part.begin(), part.end(), end);
+  for (const std::span<const Key> part : parts) {
+    for (const Key key : part) {
+      range.include(key);
+      *end++ = key;
+    }
+  }
+  return range;
 }
 
 template <class AnyPair>
@@ -195,10 +197,11 @@ void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array
   const std::size_t total = count_keys(parts);
   sorted.renew(total);
   if (total == 0) return;
-  if (is_one_bucket(parts, total)) {
+  if (total <= std::max(kOneBucket, kOneCount)) {
     scratch.renew(total);
-    gather(parts, scratch);
-    return sort_bucket(scratch.view(), sorted.data());
+    const Range range = gather(parts, scratch);
+    if (total <= kOneBucket || range.size() <= kCounters)
+      return sort_in_range(scratch.view(), range, sorted.data());
   }
   Distribution distribution(crew, parts, scratch);
   distribution.run(total);

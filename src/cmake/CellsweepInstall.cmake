@@ -42,7 +42,7 @@ endfunction()
 
 cellsweep_install_library(
   core cellsweep "" " -pthread"
-  aabb.h broadphase.h engine engines.h executor.h export.h options.h pair.h statistics.h status.h stream_view.h
+  aabb.h broadphase.h engine engines.h executor.h export.h filter.h options.h pair.h statistics.h status.h stream_view.h
   vector_isa.h)
 if(TARGET cellsweep_world)
   cellsweep_install_library(world cellsweep_world "cellsweep eigen3" "" pose.h world)
