@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/pair_of.h"
+#include "base/tuning.h"
 
 namespace cellsweep {
 namespace {
@@ -17,11 +18,12 @@ class RunCopy {
   void until(std::uint64_t key) {
     // Changes are many or few: most runs are short.
     std::size_t blocks = 0;
-    while (from_.size() > kBlock && pair_key(from_[kBlock]) < key && blocks < kBlocks) {
-      copy(kBlock);
+    while (from_.size() > tuning::kCopied && pair_key(from_[tuning::kCopied]) < key &&
+           blocks < tuning::kCopies) {
+      copy(tuning::kCopied);
       ++blocks;
     }
-    if (blocks == kBlocks) copy_far(key);
+    if (blocks == tuning::kCopies) copy_far(key);
     while (!from_.empty() && pair_key(from_[0]) < key) copy(1);
   }
   void leave_out(std::uint64_t key) {
@@ -33,9 +35,6 @@ class RunCopy {
   AnyPair* finish() { return std::copy(from_.begin(), from_.end(), to_); }
 
  private:
-  static constexpr std::size_t kBlock = 8;
-  static constexpr std::size_t kBlocks = 8;
-
   void copy(std::size_t count) {
     to_ = std::copy_n(from_.data(), count, to_);
     from_ = from_.subspan(count);

@@ -71,6 +71,8 @@ inline constexpr double kCopyCost = 14;
 inline constexpr double kTestCost = 0.11;
 /// Boxes of the sample on which a grid is chosen.
 inline constexpr std::size_t kSample = 128;
+/// Boxes of the sample that tell the middle edge. EPYC, varied 100,000.
+inline constexpr std::size_t kEdgeSample = 32;
 /// A box is large when an edge is so many times as long as that of the middle box of the sample. Shorter
 /// ones, which only the sample knows of, reach into some 200 cells; so rare that it has none of them they are
 /// cheap. EPYC, uniform 10,000, one in 200 a wall: the same to both sides of the limit.
@@ -141,6 +143,18 @@ inline constexpr std::uint64_t kCounters = 16384;
 /// bodies.
 inline constexpr std::size_t kBodiesOfChange = 4;
 
+/// A list of pairs between two changes is copied so many pairs at a time, so many times, before the next
+/// change is looked for by halves. EPYC, uniform 10,000 and 100,000, all moving.
+inline constexpr std::size_t kCopied = 8;
+inline constexpr std::size_t kCopies = 8;
+
+// --- ids
+// ---------------------------------------------------------------------------------------------------------
+
+/// Entries of the table of scattered ids are asked for so many ids ahead, when there are so many entries.
+/// EPYC, all new, 1,000 to 100,000.
+inline constexpr std::size_t kIdsAhead = 16;
+inline constexpr std::size_t kFarEntries = 32768;
 /// Ids that are sorted in one step; more of them would be written to more places than a cache has lines.
 /// EPYC.
 inline constexpr std::size_t kManyIds = 65536;

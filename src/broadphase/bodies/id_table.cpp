@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/tuning.h"
+
 namespace cellsweep {
 namespace {
 
@@ -17,9 +19,6 @@ bool are_consecutive(std::span<const BodyId> ids) {
   for (std::size_t i = 0; i < ids.size(); ++i) differs |= ids[i] ^ (ids[0] + static_cast<BodyId>(i));
   return differs == 0 && (ids.empty() || ids.front() <= ids.back());
 }
-
-/// Entries of the sparse table are asked for so many ids ahead.
-constexpr std::size_t kAhead = 16;
 
 }  // namespace
 
@@ -127,7 +126,7 @@ bool IdTable::map_all(std::span<const BodyId> ids) {
     return false;
   }
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (sparse_.size() > 0 && i + kAhead < ids.size()) prefetch(ids[i + kAhead]);
+    if (sparse_.size() > 0 && i + tuning::kIdsAhead < ids.size()) prefetch(ids[i + tuning::kIdsAhead]);
     if (map(ids[i], next_slot(i))) continue;
     for (const BodyId id : ids.first(i)) unmap(id);
     return false;

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/memory/memory.h"
+#include "base/tuning.h"
 #include "cellsweep/engine/slots.h"
 #include "cellsweep/pair.h"
 
@@ -50,8 +51,8 @@ class SparseIds {
   /// Adds ids, for which there must be room, to slots from `first` on, until one is there; returns how many
   /// it added.
   std::size_t insert_run(std::span<const BodyId> ids, Slot first) {
-    constexpr std::size_t kFar = 1 << 15;
-    return entries_.size() < kFar ? insert_all<false>(ids, first) : insert_all<true>(ids, first);
+    return entries_.size() < tuning::kFarEntries ? insert_all<false>(ids, first)
+                                                 : insert_all<true>(ids, first);
   }
 
   /// An id that is there. What was pushed out of its place by it moves back.
@@ -79,13 +80,14 @@ class SparseIds {
   // Entries that are far are asked for some ids ahead.
   template <bool Far>
   std::size_t insert_all(std::span<const BodyId> ids, Slot first) {
-    constexpr std::size_t kAhead = 16;
     Entry* const entries = entries_.data();
     const std::size_t mask = entries_.size() - 1;
     std::size_t done = 0;
     for (; done < ids.size(); ++done) {
       const BodyId id = ids[done];
-      if (Far) __builtin_prefetch(&entries[mix64(ids[std::min(done + kAhead, ids.size() - 1)]) & mask], 1);
+      if (Far)
+        __builtin_prefetch(&entries[mix64(ids[std::min(done + tuning::kIdsAhead, ids.size() - 1)]) & mask],
+                           1);
       std::size_t place = mix64(id) & mask;
       while (entries[place].slot != kNoSlot && entries[place].id != id) place = (place + 1) & mask;
       if (entries[place].slot != kNoSlot) break;

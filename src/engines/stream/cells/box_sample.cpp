@@ -74,9 +74,8 @@ class Ranges {
 
 /// The edges beyond which a box is large. A few boxes tell the middle edge well enough.
 Float4 large_edges(std::span<const Aabb> boxes, const Ranges& ranges) {
-  constexpr std::size_t kFew = 32;
-  std::array<std::array<float, kFew>, 3> edges;
-  const std::size_t count = std::min(boxes.size(), kFew);
+  std::array<std::array<float, tuning::kEdgeSample>, 3> edges;
+  const std::size_t count = std::min(boxes.size(), tuning::kEdgeSample);
   for (std::size_t i = 0; i < count; ++i) {
     const Float4 of_box = ranges.edges(boxes[i * boxes.size() / count]);
     for (std::size_t axis = 0; axis < 3; ++axis) edges[axis][i] = of_box[axis];
