@@ -119,7 +119,8 @@ bool Stream::find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPa
   if (!search_.change(fat_boxes_.changes())) return false;
   changed_ += count;
   timer.lap("cells");
-  const SlotPairChanges of_candidates = overlaps_.change_candidates(changes, search_.cells());
+  const SlotPairChanges of_candidates =
+      overlaps_.change_candidates(changes, fat_boxes_.changes(), search_.cells());
   timer.lap("sort");
   costs_.partial.learn(start, crew_.active(), count);
   found = overlaps_.test(changes, of_candidates);

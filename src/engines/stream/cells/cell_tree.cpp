@@ -1,7 +1,5 @@
 #include "engines/stream/cells/cell_tree.h"
 
-#include <utility>
-
 #include "base/tuning.h"
 #include "cellsweep/engine/piece_finder.h"
 #include "engines/stream/cells/tree_build.h"
@@ -14,19 +12,18 @@ CellTree::CellTree(Crew& crew, const Kernels& kernels, PieceFinder* finder)
   for (unsigned worker = 0; worker < crew.workers(); ++worker)
     scratches_.push_back(std::make_unique<Scratch>());
   found_.resize(scratches_.size());
-  began_.resize(scratches_.size());
-  ended_.resize(scratches_.size());
+  touched_.resize(scratches_.size());
 }
 
 void CellTree::allow(std::span<const BodyFilter> filters) {
   filters_ = filters;
   for (const auto& scratch : scratches_) {
-    for (Keys* keys : {&scratch->found, &scratch->began, &scratch->ended}) keys->allow(filters);
+    for (Keys* keys : {&scratch->found, &scratch->touched}) keys->allow(filters);
   }
 }
 
 void CellTree::limit_pairs(std::size_t most) {
-  for (const auto& scratch : scratches_) scratch->found.buffer().most = scratch->began.buffer().most = most;
+  for (const auto& scratch : scratches_) scratch->found.buffer().most = scratch->touched.buffer().most = most;
 }
 
 void CellTree::clear() {
@@ -38,7 +35,7 @@ void CellTree::reset(std::size_t boxes) {
   for (const auto& scratch : scratches_) {
     scratch->cells.reset(tuning::kBytesOfBox * boxes);
     scratch->job.reset(tuning::kBytesOfBox * boxes);
-    for (Keys* keys : {&scratch->found, &scratch->began, &scratch->ended}) keys->clear();
+    for (Keys* keys : {&scratch->found, &scratch->touched}) keys->clear();
     scratch->collected.clear();
     scratch->copies = 0;
   }
@@ -57,41 +54,26 @@ void CellTree::build(const Boxes& boxes) {
 }
 
 void CellTree::change(std::span<const FatBoxChange> changes) {
-  clear_changes();
+  for (const auto& scratch : scratches_) {
+    scratch->job.release({});
+    scratch->touched.clear();
+  }
   TreeChanger(crew_, kernels_, scratches_).change(changes, root_);
-  show_changes();
+  for (std::size_t worker = 0; worker < scratches_.size(); ++worker) {
+    scratches_[worker]->touched.leave_out();
+    touched_[worker] = scratches_[worker]->touched.view();
+  }
 }
 
 void CellTree::change_one(const FatBoxChange& change) {
-  clear_changes();
-  std::size_t& most = scratches_[0]->began.buffer().most;
-  const std::size_t limit = std::exchange(most, ~std::size_t{0});
+  scratches_[0]->job.release({});
   TreeChanger(crew_, kernels_, scratches_).change_one(change, root_);
-  most = limit;
-  show_changes();
 }
 
 void CellTree::find_partners(const Aabb& box, Keys& slots) {
   TreeQuery query(kernels_, slots.buffer());
   query.find(box, root_);
   scratches_[0]->tests += query.tests();
-}
-
-void CellTree::clear_changes() {
-  for (const auto& scratch : scratches_) {
-    scratch->job.release({});
-    scratch->began.clear();
-    scratch->ended.clear();
-  }
-}
-
-void CellTree::show_changes() {
-  for (std::size_t worker = 0; worker < scratches_.size(); ++worker) {
-    scratches_[worker]->began.leave_out();
-    scratches_[worker]->ended.leave_out();
-    began_[worker] = scratches_[worker]->began.view();
-    ended_[worker] = scratches_[worker]->ended.view();
-  }
 }
 
 std::uint64_t CellTree::copies() const {
@@ -110,8 +92,7 @@ std::size_t CellTree::bytes() const {
   std::size_t sum = 0;
   for (const auto& scratch : scratches_) {
     sum += scratch->cells.bytes() + scratch->job.bytes() + scratch->collected.capacity() * sizeof(CellBoxes);
-    for (Keys* keys : {&scratch->found, &scratch->began, &scratch->ended})
-      sum += keys->buffer().capacity * sizeof(std::uint64_t);
+    sum += scratch->found.bytes() + scratch->touched.bytes();
   }
   return sum;
 }

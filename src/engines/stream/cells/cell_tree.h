@@ -41,11 +41,10 @@ struct alignas(64) Scratch {
   Arena cells;                  // of the tree, kept until the next build
   Arena job;                    // of the job at hand
   Vector<CellBoxes> collected;  // for a PieceFinder
-  Keys found;
-  Keys began;
-  Keys ended;
-  std::uint64_t copies = 0;  // boxes that this worker put into cells
-  std::uint64_t tests = 0;   // comparisons of two boxes, since it was made
+  Keys found;                   // by the last build
+  Keys touched;                 // by the last change
+  std::uint64_t copies = 0;     // boxes that this worker put into cells
+  std::uint64_t tests = 0;      // comparisons of two boxes, since it was made
 };
 
 /// Bodies' boxes in space, and the pairs among them, as keys of slots.
@@ -70,21 +69,19 @@ class CellTree {
   /// Makes the tree anew for boxes by slot (NaN where there is no body) and finds all pairs: found().
   void build(const Boxes& boxes);
 
-  /// Moves, adds and takes out bodies; finds the pairs that began and ended: began(), ended(). A pair may be
-  /// in both.
+  /// Moves, adds and takes out bodies, each once, and finds all pairs that these now have: touched().
   void change(std::span<const FatBoxChange> changes);
 
-  /// The same for one body, in time that does not depend on how many cells there are. Not limited: a body has
-  /// no more pairs than there are bodies.
+  /// Changes one body, in time that does not depend on how many cells there are, and finds no pairs.
   void change_one(const FatBoxChange& change);
 
   /// Appends the slots of all bodies whose boxes overlap this one, each once.
   void find_partners(const Aabb& box, Keys& slots);
 
-  /// Valid until the next build(), began() and ended() until the next change().
+  /// Valid until the next build().
   KeyParts found() const { return found_; }
-  KeyParts began() const { return began_; }
-  KeyParts ended() const { return ended_; }
+  /// Valid until the next change().
+  KeyParts touched() const { return touched_; }
 
   const Node& root() const { return root_; }
   /// Cells of the topmost grid.
@@ -98,8 +95,6 @@ class CellTree {
 
  private:
   void reset(std::size_t boxes);
-  void clear_changes();
-  void show_changes();
 
   Crew& crew_;
   const Kernels& kernels_;
@@ -107,8 +102,7 @@ class CellTree {
   std::span<const BodyFilter> filters_;
   std::vector<std::unique_ptr<Scratch>> scratches_;
   std::vector<std::span<const std::uint64_t>> found_;  // by worker
-  std::vector<std::span<const std::uint64_t>> began_;
-  std::vector<std::span<const std::uint64_t>> ended_;
+  std::vector<std::span<const std::uint64_t>> touched_;
   Node root_;
 };
 

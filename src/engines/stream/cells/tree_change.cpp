@@ -8,15 +8,10 @@
 namespace cellsweep::stream {
 namespace {
 
-std::uint32_t place_of(const CellBoxes& cell, std::uint32_t slot) {
-  std::uint32_t place = 0;
-  while ((cell.boxes[place].tag & kSlotMask) != slot) ++place;
-  return place;
-}
-
-// The last box takes the place.
-void take_out(CellBoxes& cell, std::uint32_t place) {
-  cell.boxes[place] = cell.boxes[--cell.count];
+/// The place of a body, which is not one of the first `from`.
+std::uint32_t place_of(const CellBoxes& cell, std::uint32_t slot, std::uint32_t from) {
+  while ((cell.boxes[from].tag & kSlotMask) != slot) ++from;
+  return from;
 }
 
 }  // namespace
@@ -98,6 +93,7 @@ void TreeChanger::change_one(const FatBoxChange& change, Node& root) {
     Visit visit;
   };
   changes_ = {&change, 1};
+  finds_pairs_ = false;
   Scratch& scratch = *scratches_[0];
   std::size_t count = 0;
   for_each_visit(first_visit(change, 0), root.grid, [&](std::uint32_t, const Visit&) { ++count; });
@@ -161,39 +157,34 @@ void TreeChanger::change_node(std::span<const Visit> visits, Node& node, Scratch
   }
 }
 
-CellBoxes TreeChanger::copy_with_room(const CellBoxes& cell, std::uint32_t more, Arena& arena) const {
-  CellBoxes copy = new_cell(arena, std::size_t{cell.count} + more, kernels_.lanes);
-  copy.count = cell.count;
-  std::copy_n(cell.boxes, cell.count, copy.boxes);
-  return copy;
+void TreeChanger::make_room(CellBoxes& cell, std::uint32_t more, Scratch& scratch) const {
+  scratch.copies += more;
+  if (cell.count + more <= cell.capacity) return;
+  CellBoxes larger = new_cell(scratch.cells, std::size_t{cell.count} + more, kernels_.lanes);
+  larger.count = cell.count;
+  std::copy_n(cell.boxes, cell.count, larger.boxes);
+  cell = larger;
 }
 
+// What changed and is still there comes to stand first: these are the rows that are compared.
 void TreeChanger::change_boxes(std::span<const Visit> visits, CellBoxes& cell, Scratch& scratch) const {
-  const auto is_new = [](const Visit& visit) { return visit.old_flags == 0; };
-  const auto entering = static_cast<std::uint32_t>(std::count_if(visits.begin(), visits.end(), is_new));
-  CellBoxes old = copy_with_room(cell, entering, scratch.job);
-  if (cell.count + entering > cell.capacity) cell = copy_with_room(cell, entering, scratch.cells);
-  scratch.copies += entering;
-  auto* changed = scratch.job.take<std::uint32_t>(visits.size());
-  for (std::size_t v = 0; v < visits.size(); ++v) {
-    const Visit& visit = visits[v];
-    const FatBoxChange& change = changes_[visit.change];
-    const std::uint32_t place = is_new(visit) ? cell.count++ : place_of(cell, change.slot);
-    changed[v] = place;
-    if (is_new(visit)) old.boxes[place] = {kNobody, change.slot, 0};
-    cell.boxes[place] = {visit.new_flags == 0 ? kNobody : change.new_box,
-                         change.slot | std::uint32_t{visit.new_flags} % kThere << kSlotBits, 0};
-  }
-  old.count = cell.count;
-  auto* rank = scratch.job.take<std::uint32_t>(cell.count);
-  std::fill_n(rank, cell.count, ~0U);
-  for (std::uint32_t v = 0; v < visits.size(); ++v) rank[changed[v]] = v;
-  scratch.tests += std::uint64_t{visits.size()} * cell.count;
-  kernels_.changed_pairs(old, cell, {changed, visits.size()}, rank,
-                         {scratch.began.buffer(), scratch.ended.buffer()});
+  const auto enters = [](const Visit& visit) { return visit.old_flags == 0; };
+  make_room(cell, static_cast<std::uint32_t>(std::count_if(visits.begin(), visits.end(), enters)), scratch);
+  TaggedBox* const boxes = cell.boxes;
+  std::uint32_t rows = 0;
   for (const Visit& visit : visits) {
-    if (visit.new_flags == 0) take_out(cell, place_of(cell, changes_[visit.change].slot));
+    const FatBoxChange& change = changes_[visit.change];
+    const std::uint32_t place = enters(visit) ? cell.count++ : place_of(cell, change.slot, rows);
+    if (visit.new_flags == 0) {
+      boxes[place] = boxes[--cell.count];
+      continue;
+    }
+    boxes[place] = boxes[rows];
+    boxes[rows++] = {change.new_box, change.slot | std::uint32_t{visit.new_flags} % kThere << kSlotBits, 0};
   }
+  if (!finds_pairs_) return;
+  kernels_.all_pairs(cell, rows, scratch.touched.buffer());
+  scratch.tests += std::uint64_t{rows} * (2 * std::uint64_t{cell.count} - rows - 1) / 2;
 }
 
 }  // namespace cellsweep::stream

@@ -1,5 +1,6 @@
 /// @file
-/// Brings changed boxes into a CellTree: only cells that a changed box was or is in are looked at.
+/// Brings changed boxes into a CellTree, and finds the pairs that they have: only cells that a changed box
+/// was or is in are looked at.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +34,7 @@ class TreeChanger {
   void change_node(std::span<const Visit> visits, Node& node, Scratch& scratch) const;
   void change_cell(std::span<Visit> visits, Cell& cell, Scratch& scratch) const;
   void change_boxes(std::span<const Visit> visits, CellBoxes& cell, Scratch& scratch) const;
-  CellBoxes copy_with_room(const CellBoxes& cell, std::uint32_t more, Arena& arena) const;
+  void make_room(CellBoxes& cell, std::uint32_t more, Scratch& scratch) const;
   static std::span<Visit> merge(std::span<Visit> visits);
   static Visit first_visit(const FatBoxChange& change, std::size_t index);
 
@@ -41,6 +42,7 @@ class TreeChanger {
   const Kernels& kernels_;
   std::span<const std::unique_ptr<Scratch>> scratches_;
   std::span<const FatBoxChange> changes_;
+  bool finds_pairs_ = true;
 };
 
 }  // namespace cellsweep::stream

@@ -99,38 +99,6 @@ void all_pairs(const CellBoxes& cell, std::uint32_t rows, KeyBuffer& found) {
   }
 }
 
-/// Notes what became of one pair, `old` and `now` saying whether the boxes overlapped.
-inline void note_change(bool old, bool now, std::uint64_t key, const KeyChanges& changes) {
-  if (old == now) return;
-  KeyBuffer& buffer = now ? changes.began : changes.ended;
-  make_room(buffer, 1);
-  buffer.keys[buffer.size++] = key;
-}
-
-template <class Lanes>
-void changed_pairs(const CellBoxes& old, const CellBoxes& now, Places changed, const std::uint32_t* rank,
-                   const KeyChanges& changes) {
-  for (std::uint32_t first = 0; first < now.count; first += Lanes::kCount) {
-    const Block<Lanes> was(old.boxes + first);
-    const Block<Lanes> is(now.boxes + first);
-    const std::uint32_t there = lanes_below<Lanes>(now.count - first);
-    for (std::size_t c = 0; c < changed.count; ++c) {
-      const TaggedBox& old_box = old.boxes[changed.places[c]];
-      const TaggedBox& new_box = now.boxes[changed.places[c]];
-      const std::uint32_t before = was.hits(old_box.box) & there;
-      const std::uint32_t after = is.hits(new_box.box) & there;
-      for (std::uint32_t any = before | after; any != 0; any &= any - 1) {
-        const auto lane = static_cast<unsigned>(__builtin_ctz(any));
-        const std::uint32_t other = first + lane;
-        if (rank[other] <= c) continue;
-        note_change((before >> lane & 1) != 0 && owns(old_box.tag, old.boxes[other].tag),
-                    (after >> lane & 1) != 0 && owns(new_box.tag, now.boxes[other].tag),
-                    key_of(new_box.tag, now.boxes[other].tag), changes);
-      }
-    }
-  }
-}
-
 template <class Lanes>
 void partners(const CellBoxes& cell, const TaggedBox& box, KeyBuffer& slots) {
   for (std::uint32_t first = 0; first < cell.count; first += Lanes::kCount) {
@@ -184,14 +152,8 @@ constexpr auto sweep_with<void>() -> decltype(Kernels::sweep) {
 template <class Lanes, class Bytes>
 constexpr Kernels make_kernels(VectorIsa isa, const char* name) {
   static_assert(Lanes::kCount <= kMaxLanes);
-  return {isa,
-          name,
-          Lanes::kCount,
-          Lanes::kEightBlocks,
-          all_pairs<Lanes>,
-          changed_pairs<Lanes>,
-          partners<Lanes>,
-          sweep_with<Bytes>()};
+  return {
+      isa, name, Lanes::kCount, Lanes::kEightBlocks, all_pairs<Lanes>, partners<Lanes>, sweep_with<Bytes>()};
 }
 
 }  // namespace

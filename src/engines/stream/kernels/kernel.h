@@ -34,18 +34,6 @@ struct alignas(32) EightBlocks {
   std::uint32_t more[8];    ///< cells more on all axes together: 0, 1 and then not two; kNobody for NaN
 };
 
-/// Where to tell what a change of a cell did to pairs.
-struct KeyChanges {
-  KeyBuffer& began;
-  KeyBuffer& ended;
-};
-
-/// Some of the places of a cell.
-struct Places {
-  const std::uint32_t* places;
-  std::size_t count;
-};
-
 /// Boxes on two axes in bytes, in the order of a third axis. Behind the last one there is room for as many as
 /// a vector holds, with anything in it.
 struct SweptBoxes {
@@ -78,13 +66,6 @@ struct Kernels {
 
   /// Appends every overlapping pair that the cell owns of one of its first `rows` boxes with one behind it.
   void (*all_pairs)(const CellBoxes& cell, std::uint32_t rows, KeyBuffer& found);
-
-  /// Appends the pairs with a changed box that the cell owned before and does not now, and the other way
-  /// round. `old` and `now` have the same bodies at the same places, with NaN for one that is not there;
-  /// `changed` lists the places that differ, each once; `rank` says for each place where in that list it is,
-  /// and a larger number for the others.
-  void (*changed_pairs)(const CellBoxes& old, const CellBoxes& now, Places changed, const std::uint32_t* rank,
-                        const KeyChanges& changes);
 
   /// Appends the slots of the boxes that overlap this one, where the cell owns the pair.
   void (*partners)(const CellBoxes& cell, const TaggedBox& box, KeyBuffer& slots);

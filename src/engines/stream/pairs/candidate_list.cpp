@@ -59,23 +59,17 @@ void CandidateList::replace(KeyParts found) {
   size_ = count_keys(found);
 }
 
-void CandidateList::note(Crew& crew, KeyParts began, KeyParts ended) {
-  const std::size_t more = count_keys(began) + count_keys(ended);
-  if (notes_.size() + more > size_ / 4 + tuning::kFewNotes) pairs(crew);
-  notes_.reserve(notes_.size() + more);
-  for (const auto part : ended) {
-    for (const std::uint64_t key : part) notes_.push({key, false});
-  }
-  for (const auto part : began) {
-    for (const std::uint64_t key : part) notes_.push({key, true});
-  }
-  size_ = size_ + count_keys(began) - count_keys(ended);
+void CandidateList::note(Crew& crew, std::span<const std::uint64_t> keys, bool are_there) {
+  if (notes_.size() + keys.size() > size_ / 4 + tuning::kFewNotes) pairs(crew);
+  notes_.reserve(notes_.size() + keys.size());
+  for (const std::uint64_t key : keys) notes_.push({key, are_there});
+  size_ = are_there ? size_ + keys.size() : size_ - keys.size();
 }
 
-SlotPairChanges CandidateList::change(Crew& crew, KeyParts began, KeyParts ended) {
+SlotPairChanges CandidateList::change(Crew& crew, KeyParts touched, const std::uint8_t* changed) {
   pairs(crew);
-  sort_pairs(crew, began, keys_, began_);
-  sort_pairs(crew, ended, keys_, ended_);
+  sort_pairs(crew, touched, keys_, began_);
+  list_pairs_of(changed, ended_);
   cancel_equal(began_, ended_);
   size_ = size_ + began_.size() - ended_.size();
   if (began_.size() + ended_.size() > 0) {
@@ -83,6 +77,17 @@ SlotPairChanges CandidateList::change(Crew& crew, KeyParts began, KeyParts ended
     std::swap(pairs_, spare_);
   }
   return {std::as_const(began_).view(), std::as_const(ended_).view()};
+}
+
+// Which these are nobody can foretell: there is no branch on it.
+void CandidateList::list_pairs_of(const std::uint8_t* changed, Array<SlotPair>& listed) const {
+  listed.renew(pairs_.size());
+  SlotPair* to = listed.data();
+  for (const SlotPair& pair : pairs_.view()) {
+    *to = pair;
+    to += (changed[pair.a] | changed[pair.b]) != 0 ? 1 : 0;
+  }
+  listed.shrink(static_cast<std::size_t>(to - listed.data()));
 }
 
 std::size_t CandidateList::bytes() const {

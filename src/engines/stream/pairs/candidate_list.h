@@ -33,12 +33,13 @@ class CandidateList {
   /// After replace(), while nobody asked for pairs(): what it was given.
   KeyParts found() const { return found_; }
 
-  /// Pairs began and ended, in any order; one that is in both lists did neither.
-  SlotPairChanges change(Crew& crew, KeyParts began, KeyParts ended);
+  /// Some bodies changed, those whose entry in `changed`, by slot, is not 0: their pairs are now those of
+  /// `touched`, in any order, each once. Returns what began and ended by that.
+  SlotPairChanges change(Crew& crew, KeyParts touched, const std::uint8_t* changed);
 
-  /// The same, but nobody asks what became of the pairs: the list is brought up to date when that is asked
-  /// for, or when so much waits that the next calls are cheaper with it.
-  void note(Crew& crew, KeyParts began, KeyParts ended);
+  /// Some pairs are there from now on, or are not, but nobody asks what became of them: the list is brought
+  /// up to date when that is asked for, or when so much waits that the next calls are cheaper with it.
+  void note(Crew& crew, std::span<const std::uint64_t> keys, bool are_there);
 
   /// Ascending.
   std::span<const SlotPair> pairs(Crew& crew);
@@ -49,6 +50,8 @@ class CandidateList {
   std::size_t bytes() const;
 
  private:
+  void list_pairs_of(const std::uint8_t* changed, Array<SlotPair>& listed) const;
+
   std::vector<std::span<const std::uint64_t>> found_;  // the pairs, when they have not been sorted yet
   List<PairNote> notes_;  // what pairs_ does not know yet, in the order in which it came
   Array<SlotPair> pairs_;

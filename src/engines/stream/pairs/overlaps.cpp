@@ -54,9 +54,16 @@ void Overlaps::repair_marks(const BodyChanges& changes) {
   marks_say_ = Marks::true_of_it;
 }
 
-SlotPairChanges Overlaps::change_candidates(const BodyChanges& changes, const CellTree& cells) {
+SlotPairChanges Overlaps::change_candidates(const BodyChanges& changes,
+                                            std::span<const FatBoxChange> fat_changes,
+                                            const CellTree& cells) {
   if (!are_pairs_) repair_marks(changes);
-  return list_.change(crew_, cells.began(), cells.ended());
+  make_room(fresh_, changes.boxes.size());
+  fresh_.resize(changes.boxes.size(), 0);
+  mark_fresh(fat_changes, 1);
+  const SlotPairChanges found = list_.change(crew_, cells.touched(), fresh_.data());
+  mark_fresh(fat_changes, 0);
+  return found;
 }
 
 FoundPairs Overlaps::test(const BodyChanges& changes, const SlotPairChanges& of_candidates) {
@@ -83,8 +90,11 @@ void Overlaps::change_cells_of_few(CellTree& cells, const BodyChanges& changes,
   mark_fresh(changes, 1);
   few_.ask_before(cells, changes, fresh_.data());
   for (const FatBoxChange& change : fat_changes) {
+    if (change.was)
+      list_.note(crew_, few_.partners(cells, changes.filters, change.slot, change.old_box), false);
     cells.change_one(change);
-    list_.note(crew_, cells.began(), cells.ended());
+    if (change.is)
+      list_.note(crew_, few_.partners(cells, changes.filters, change.slot, change.new_box), true);
   }
 }
 
@@ -114,6 +124,10 @@ void Overlaps::mark_fresh(const BodyChanges& changes, std::uint8_t mark) {
   for (const Slot slot : changes.removed) fresh_[slot] = mark;
   for (const Slot slot : changes.moved) fresh_[slot] = mark;
   for (const Slot slot : changes.inserted) fresh_[slot] = mark;
+}
+
+void Overlaps::mark_fresh(std::span<const FatBoxChange> fat_changes, std::uint8_t mark) {
+  for (const FatBoxChange& change : fat_changes) fresh_[change.slot] = mark;
 }
 
 std::size_t Overlaps::bytes() const {

@@ -38,8 +38,10 @@ class Overlaps {
   bool are_in_order(const BodyChanges& changes) const;
   void put_in_order() { list_.pairs(crew_); }
 
-  /// Candidates began and ended, as the cells say. What that was is valid until the next update.
-  SlotPairChanges change_candidates(const BodyChanges& changes, const CellTree& cells);
+  /// Fat boxes changed, and the cells with them. Says which candidates began and ended, valid until the next
+  /// update.
+  SlotPairChanges change_candidates(const BodyChanges& changes, std::span<const FatBoxChange> fat_changes,
+                                    const CellTree& cells);
   /// Tests the candidates, after they changed by `of_candidates`.
   FoundPairs test(const BodyChanges& changes, const SlotPairChanges& of_candidates);
 
@@ -63,6 +65,7 @@ class Overlaps {
   enum class Marks { all_overlap, true_of_it, stale };
 
   void mark_fresh(const BodyChanges& changes, std::uint8_t mark);
+  void mark_fresh(std::span<const FatBoxChange> fat_changes, std::uint8_t mark);
   void repair_marks(const BodyChanges& changes);
 
   Crew& crew_;

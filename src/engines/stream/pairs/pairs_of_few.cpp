@@ -46,6 +46,22 @@ void PairsOfFew::ask(CellTree& cells, const BodyChanges& changes, std::span<cons
   }
 }
 
+std::span<const std::uint64_t> PairsOfFew::partners(CellTree& cells, std::span<const BodyFilter> filters,
+                                                    Slot slot, const Aabb& box) {
+  partners_.clear();
+  cells.find_partners(box, partners_);
+  pairs_.clear();
+  pairs_.allow(filters);
+  KeyBuffer& found = pairs_.buffer();
+  make_room(found, partners_.view().size());
+  for (const std::uint64_t key : partners_.view()) {
+    const auto other = static_cast<Slot>(key);
+    if (other != slot) found.keys[found.size++] = pair_key(make_slot_pair(slot, other));
+  }
+  pairs_.leave_out();
+  return pairs_.view();
+}
+
 SlotPairChanges PairsOfFew::changes(Crew& crew) {
   sort(crew, keys_before_, scratch_, before_);
   sort(crew, keys_now_, scratch_, now_);
@@ -60,7 +76,7 @@ void PairsOfFew::sort(Crew& crew, const Keys& keys, Array<std::uint64_t>& scratc
 
 std::size_t PairsOfFew::bytes() const {
   std::size_t sum = scratch_.bytes();
-  for (const Keys* keys : {&partners_, &keys_before_, &keys_now_}) sum += keys->bytes();
+  for (const Keys* keys : {&partners_, &pairs_, &keys_before_, &keys_now_}) sum += keys->bytes();
   for (const Array<SlotPair>* list : {&before_, &now_, &began_, &ended_}) sum += list->bytes();
   return sum;
 }

@@ -25,6 +25,11 @@ class PairsOfFew {
   /// The pairs that the moved and the inserted bodies have; the cells hold the fat boxes of now.
   void ask_now(CellTree& cells, const BodyChanges& changes, const std::uint8_t* fresh);
 
+  /// The pairs of a body with the bodies whose boxes in the cells overlap this one, valid until the next
+  /// call.
+  std::span<const std::uint64_t> partners(CellTree& cells, std::span<const BodyFilter> filters, Slot slot,
+                                          const Aabb& box);
+
   /// What differs. Valid until the next call.
   SlotPairChanges changes(Crew& crew);
 
@@ -37,6 +42,7 @@ class PairsOfFew {
   static void sort(Crew& crew, const Keys& keys, Array<std::uint64_t>& scratch, Array<SlotPair>& pairs);
 
   Keys partners_;  // of one body
+  Keys pairs_;     // with these
   Keys keys_before_;
   Keys keys_now_;
   Array<std::uint64_t> scratch_;

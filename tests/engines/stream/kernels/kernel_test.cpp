@@ -125,16 +125,6 @@ TEST_P(KernelOf, NamesBodiesByTheirSlotsTheLowerFirst) {
     Keys found;
     kernels_->all_pairs(cell.boxes(), cell.boxes().count, found.buffer());
     EXPECT_EQ(sorted(found), std::vector<std::uint64_t>{pair_key(make_slot_pair(one, other))});
-    TestCell empty(2);
-    empty.set(0, kNobody, one | kWholeFlags << kSlotBits);
-    empty.set(1, kNobody, other | kWholeFlags << kSlotBits);
-    const std::uint32_t changed[] = {0, 1};
-    Keys began;
-    Keys ended;
-    kernels_->changed_pairs(empty.boxes(), cell.boxes(), {changed, 2}, changed,
-                            {began.buffer(), ended.buffer()});
-    EXPECT_EQ(sorted(began), sorted(found));
-    EXPECT_TRUE(ended.view().empty());
   }
 }
 
@@ -144,36 +134,6 @@ TEST_P(KernelOf, StopsWhereThereAreMorePairsThanThereMayBe) {
   Keys found;
   found.buffer().most = 1000;
   EXPECT_THROW(kernels_->all_pairs(cell.boxes(), cell.boxes().count, found.buffer()), TooManyPairs);
-}
-
-TEST_P(KernelOf, FindsWhichPairsBeganAndEnded) {
-  Random random(2);
-  for (std::uint32_t count = 1; count < 100; ++count) {
-    const TestCell old = random_cell(random, count);
-    TestCell now = old;
-    std::vector<std::uint32_t> changed;
-    std::vector<std::uint32_t> rank(count, ~0U);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (!random.one_in(3)) continue;
-      rank[i] = static_cast<std::uint32_t>(changed.size());
-      changed.push_back(i);
-      now.set(i, random_box(random), random_tag(random, i));
-    }
-    std::vector<std::uint64_t> began;
-    std::vector<std::uint64_t> ended;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      for (std::uint32_t j = i + 1; j < count; ++j) {
-        if (is_owned(now, i, j) && !is_owned(old, i, j)) began.push_back(pair_key(SlotPair{i, j}));
-        if (!is_owned(now, i, j) && is_owned(old, i, j)) ended.push_back(pair_key(SlotPair{i, j}));
-      }
-    }
-    Keys began_keys;
-    Keys ended_keys;
-    kernels_->changed_pairs(old.boxes(), now.boxes(), {changed.data(), changed.size()}, rank.data(),
-                            {began_keys.buffer(), ended_keys.buffer()});
-    ASSERT_EQ(sorted(began_keys), began) << count << " boxes";
-    ASSERT_EQ(sorted(ended_keys), ended) << count << " boxes";
-  }
 }
 
 // Some of them outside of the grid, some without a body, next to each other and with tags in between.
