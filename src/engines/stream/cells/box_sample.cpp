@@ -159,7 +159,7 @@ double Extents::copies(const std::array<double, 3>& density) const {
   return 1 + x * i + y * j + z * k + xy * i * j + yz * j * k + zx * k * i + xyz * i * j * k;
 }
 
-BoxSample take_sample(const Boxes& boxes) {
+BoxSample take_sample(const Boxes& boxes, Look look) {
   Drawn drawn;
   draw(boxes, drawn);
   BoxSample sample;
@@ -167,8 +167,12 @@ BoxSample take_sample(const Boxes& boxes) {
   for (std::size_t axis = 0; axis < 3; ++axis) sample.axes[axis] = measure_axis(drawn.view(), axis);
   const Ranges ranges(sample.axes);
   const Float4 limits = large_edges(drawn.view(), ranges);
-  const Sums large = sum_large(boxes, ranges, limits);
   const Sums usual = sum_usual(drawn.view(), ranges, limits);
+  if (look == Look::at_few && usual.count == static_cast<double>(drawn.count)) {
+    sample.extents.add(usual.extents, 1 / usual.count);
+    return sample;
+  }
+  const Sums large = sum_large(boxes, ranges, limits);
   const auto count = static_cast<double>(boxes.count());
   if (usual.count > 0) sample.extents.add(usual.extents, (1 - large.count / count) / usual.count);
   sample.extents.add(large.extents, 1 / count);

@@ -26,14 +26,12 @@ struct Extents {
   double copies(const std::array<double, 3>& density) const;
 };
 
-/// Ranges come from a few of the boxes. So do the means, but for boxes that are many times as long as is
-/// usual: those are looked for among all. One of them in a sample would stand for thousands, and one that the
-/// sample has missed may reach into every cell.
+/// Ranges come from a few of the boxes, and so do the means.
 struct BoxSample {
   std::array<AxisRange, 3> axes;
   Extents extents;
 };
 
-BoxSample take_sample(const Boxes& boxes);
+BoxSample take_sample(const Boxes& boxes, Look look);
 
 }  // namespace cellsweep::stream

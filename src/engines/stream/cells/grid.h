@@ -2,6 +2,7 @@
 /// A grid of cells over part of the world, and how fine it should be.
 #pragma once
 
+#include <cfloat>
 #include <cstddef>
 #include <cstdint>
 
@@ -114,11 +115,23 @@ class Grid {
   std::uint32_t cells_ = 1;
 };
 
-/// A grid for these boxes, chosen on a sample of them, and whether cutting is expected to pay.
+/// Which boxes are looked at.
+enum class Look {
+  at_few,
+  /// At all, for those that are many times as long as is usual: one of them among the few would stand for
+  /// thousands. That is also done when there is one among the few; one that they miss may reach into every
+  /// cell.
+  at_all
+};
+
+/// A grid for boxes, and whether cutting is expected to pay.
 struct GridChoice {
   Grid grid;
   bool pays = false;
+  double copies = DBL_MAX;  ///< into how many cells boxes may reach, in the mean; else choose again
+
+  std::size_t most_copies(std::size_t boxes) const;
 };
-GridChoice choose_grid(const Boxes& boxes);
+GridChoice choose_grid(const Boxes& boxes, Look look);
 
 }  // namespace cellsweep::stream

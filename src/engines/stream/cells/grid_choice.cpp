@@ -18,6 +18,7 @@ using tuning::kTestCost;
 struct Plan {
   std::array<std::uint32_t, 3> dims = {1, 1, 1};
   double cost = DBL_MAX;  // for one box
+  double copies = 1;      // of one box
 };
 
 /// The width of cells, in extents of a box, that gives so many cells; of axes that are longer than that.
@@ -58,9 +59,9 @@ Plan plan_for(const BoxSample& sample, double boxes, double boxes_in_cell) {
   std::array<double, 3> density{};  // of borders between cells
   for (std::size_t axis = 0; axis < 3; ++axis)
     density[axis] = density_on(sample.axes[axis], plan.dims[axis] - 1);
-  const double copies = sample.extents.copies(density);
+  plan.copies = sample.extents.copies(density);
   const double cells = double{1.0} * plan.dims[0] * plan.dims[1] * plan.dims[2];
-  plan.cost = copies * (kCopyCost + kTestCost * boxes * copies / cells);
+  plan.cost = plan.copies * (kCopyCost + kTestCost * boxes * plan.copies / cells);
   return plan;
 }
 
@@ -78,8 +79,13 @@ Grid make_grid(const BoxSample& sample, const Plan& plan) {
 
 }  // namespace
 
-GridChoice choose_grid(const Boxes& boxes) {
-  const BoxSample sample = take_sample(boxes);
+std::size_t GridChoice::most_copies(std::size_t boxes) const {
+  constexpr double kAnyNumber = 1e18;
+  return static_cast<std::size_t>(std::min(copies * static_cast<double>(boxes), kAnyNumber));
+}
+
+GridChoice choose_grid(const Boxes& boxes, Look look) {
+  const BoxSample sample = take_sample(boxes, look);
   const auto count = static_cast<double>(boxes.count());
   Plan best;
   double best_in_cell = 0;
@@ -95,7 +101,8 @@ GridChoice choose_grid(const Boxes& boxes) {
     best = plan_for(sample, count, std::max(kPieceBoxes, count / kMaxCells));
   }
   const bool cuts = best.dims[0] * best.dims[1] * best.dims[2] > 1;
-  return {make_grid(sample, best), pays && cuts};
+  const double copies = look == Look::at_few ? tuning::kManyCopies * best.copies : DBL_MAX;
+  return {make_grid(sample, best), pays && cuts, copies};
 }
 
 }  // namespace cellsweep::stream

@@ -65,27 +65,36 @@ CellBoxes new_cell(Arena& arena, std::size_t count, unsigned lanes) {
 }
 
 void TreeBuilder::build(const Boxes& boxes, Node& root) {
-  const GridChoice choice = choose_grid(boxes);
-  root.grid = choice.pays ? choice.grid : Grid();
+  if (!try_build(boxes, Look::at_few, root)) try_build(boxes, Look::at_all, root);
+}
+
+// False when boxes reach into many more cells than was expected.
+bool TreeBuilder::try_build(const Boxes& boxes, Look look, Node& root) {
+  GridChoice choice = choose_grid(boxes, look);
+  if (!choice.pays) choice.grid = Grid();
+  root.grid = choice.grid;
   const std::uint32_t cells = root.grid.cells();
   const unsigned workers = crew_.active();
   Scratch& scratch = *scratches_[0];
   auto* counts = scratch.job.take<std::uint32_t>(std::size_t{workers} * cells);
   auto* sums = scratch.job.take<std::uint32_t>(cells);
   std::fill_n(counts, std::size_t{workers} * cells, 0);
-  std::vector<std::span<const Copy>> copies(workers);
+  std::vector<std::optional<std::span<const Copy>>> copies(workers);
   crew_.run([&](unsigned worker) {
-    copies[worker] = list_copies(boxes, Share::of(boxes.count(), worker, workers), root.grid,
+    copies[worker] = list_copies(boxes, Share::of(boxes.count(), worker, workers), choice,
                                  counts + std::size_t{worker} * cells, scratches_[worker]->job);
   });
+  if (!std::all_of(copies.begin(), copies.end(), [](const auto& list) { return list.has_value(); }))
+    return false;
   prefix_sums(counts, workers, cells, sums);
   const CellBoxes* targets = make_targets(sums, cells, scratch);
   root.cells = scratch.cells.take<Cell>(cells);
   crew_.run(
-      [&](unsigned worker) { fill(boxes, copies[worker], targets, counts + std::size_t{worker} * cells); });
+      [&](unsigned worker) { fill(boxes, *copies[worker], targets, counts + std::size_t{worker} * cells); });
   crew_.for_each(cells, 4, [&](unsigned worker, std::size_t cell) {
     finish_cell(targets[cell], root.cells[cell], *scratches_[worker], 1);
   });
+  return true;
 }
 
 // Eight boxes from `first` on; behind the end there is nobody.
@@ -98,11 +107,15 @@ void TreeBuilder::find_blocks(const Boxes& boxes, std::size_t first, std::size_t
   kernels_.eight_blocks(last, sizeof(Aabb), grid, blocks);
 }
 
-// Which box goes into which cells, and how many come into each. Whether a box reaches into one cell or two is
-// as good as random: no branch asks for it.
-std::span<const TreeBuilder::Copy> TreeBuilder::list_copies(const Boxes& boxes, Share share, const Grid& grid,
-                                                            std::uint32_t* counts, Arena& arena) const {
+// Which box goes into which cells, and how many come into each; nothing when these are too many. Whether a
+// box reaches into one cell or two is as good as random: no branch asks for it.
+std::optional<std::span<const TreeBuilder::Copy>> TreeBuilder::list_copies(const Boxes& boxes, Share share,
+                                                                           const GridChoice& choice,
+                                                                           std::uint32_t* counts,
+                                                                           Arena& arena) const {
   CopyList<Copy> list(arena, share.last - share.first);
+  const Grid& grid = choice.grid;
+  const std::size_t most = choice.most_copies(share.last - share.first);
   const GridNumbers numbers = grid.numbers();
   EightBlocks blocks;
   for (std::size_t i = share.first; i < share.last; ++i) {
@@ -118,6 +131,7 @@ std::span<const TreeBuilder::Copy> TreeBuilder::list_copies(const Boxes& boxes, 
       list.added(1 + more);
     } else if (more != EightBlocks::kNobody) {
       const CellBlock block = grid.block_of(boxes[i]);
+      if (list.view().size() + block.cells() > most) return std::nullopt;
       Copy* to = list.room(block.cells());
       grid.for_each_cell(block, [&](std::uint32_t cell, std::uint32_t flags) {
         *to++ = {index, cell | flags << kSlotBits};
@@ -186,27 +200,32 @@ std::uint32_t TreeBuilder::put_static_last(const CellBoxes& cell) const {
 }
 
 void TreeBuilder::build_inside(const CellBoxes& boxes, Cell& cell, Scratch& scratch, unsigned depth) const {
-  const GridChoice choice = depth < kDeepest ? choose_grid(Boxes(boxes)) : GridChoice{};
-  if (!choice.pays) return keep_whole(boxes, cell, scratch);
-  cell.boxes = CellBoxes{};
-  cell.node = scratch.cells.take<Node>(1);
-  *cell.node = Node{choice.grid, nullptr};
-  split(Boxes(boxes), *cell.node, scratch, depth);
+  for (const Look look : {Look::at_few, Look::at_all}) {
+    const GridChoice choice = depth < kDeepest ? choose_grid(Boxes(boxes), look) : GridChoice{};
+    if (!choice.pays) return keep_whole(boxes, cell, scratch);
+    if (split(Boxes(boxes), choice, cell, scratch, depth)) return;
+  }
 }
 
-void TreeBuilder::split(const Boxes& boxes, Node& node, Scratch& scratch, unsigned depth) const {
+// False when boxes reach into many more cells than was expected.
+bool TreeBuilder::split(const Boxes& boxes, const GridChoice& choice, Cell& cell, Scratch& scratch,
+                        unsigned depth) const {
   const ArenaScope scope(scratch.job);
-  const std::uint32_t cells = node.grid.cells();
-  const Share all{0, boxes.count()};
+  const std::uint32_t cells = choice.grid.cells();
   auto* counts = scratch.job.take<std::uint32_t>(cells);
   std::fill_n(counts, cells, 0);
-  const auto copies = list_copies(boxes, all, node.grid, counts, scratch.job);
+  const auto copies = list_copies(boxes, {0, boxes.count()}, choice, counts, scratch.job);
+  if (!copies) return false;
   scratch.copies -= boxes.count();
   const CellBoxes* targets = make_targets(counts, cells, scratch);
   std::fill_n(counts, cells, 0);
-  fill(boxes, copies, targets, counts);
-  node.cells = scratch.cells.take<Cell>(cells);
-  for (std::uint32_t i = 0; i < cells; ++i) finish_cell(targets[i], node.cells[i], scratch, depth + 1);
+  fill(boxes, *copies, targets, counts);
+  Cell* const inside = scratch.cells.take<Cell>(cells);
+  cell.boxes = CellBoxes{};
+  cell.node = scratch.cells.take<Node>(1);
+  *cell.node = Node{choice.grid, inside};
+  for (std::uint32_t i = 0; i < cells; ++i) finish_cell(targets[i], inside[i], scratch, depth + 1);
+  return true;
 }
 
 void TreeBuilder::keep_whole(const CellBoxes& boxes, Cell& cell, Scratch& scratch) const {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,14 +31,16 @@ class TreeBuilder {
 
   void find_blocks(const Boxes& boxes, std::size_t first, std::size_t end, const GridNumbers& grid,
                    EightBlocks& blocks) const;
-  std::span<const Copy> list_copies(const Boxes& boxes, Share share, const Grid& grid, std::uint32_t* counts,
-                                    Arena& arena) const;
+  bool try_build(const Boxes& boxes, Look look, Node& root);
+  std::optional<std::span<const Copy>> list_copies(const Boxes& boxes, Share share, const GridChoice& choice,
+                                                   std::uint32_t* counts, Arena& arena) const;
   void fill(const Boxes& boxes, std::span<const Copy> copies, const CellBoxes* targets,
             std::uint32_t* places) const;
   CellBoxes* make_targets(const std::uint32_t* counts, std::uint32_t cells, Scratch& scratch) const;
   void finish_cell(const CellBoxes& target, Cell& cell, Scratch& scratch, unsigned depth) const;
   void build_inside(const CellBoxes& boxes, Cell& cell, Scratch& scratch, unsigned depth) const;
-  void split(const Boxes& boxes, Node& node, Scratch& scratch, unsigned depth) const;
+  bool split(const Boxes& boxes, const GridChoice& choice, Cell& cell, Scratch& scratch,
+             unsigned depth) const;
   void find_pairs(const CellBoxes& cell, Scratch& scratch) const;
   std::uint32_t put_static_last(const CellBoxes& cell) const;
   void keep_whole(const CellBoxes& boxes, Cell& cell, Scratch& scratch) const;

@@ -73,7 +73,7 @@ bool Sweep::find(const Kernels& kernels, std::span<const Aabb> boxes, Keys& foun
 
 // How many there are.
 std::uint32_t Sweep::make_rows(std::span<const Aabb> boxes) {
-  const BoxSample sample = take_sample({boxes.data(), boxes.size()});
+  const BoxSample sample = take_sample({boxes.data(), boxes.size()}, Look::at_few);
   const unsigned x = longest_axis(sample), y = (x + 1) % 3, z = (x + 2) % 3;
   const NumberMap map = make_map(sample, x);
   rows_.renew(boxes.size());

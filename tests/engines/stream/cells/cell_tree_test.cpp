@@ -110,6 +110,21 @@ TEST_P(CellTreeTest, CutsALargeWorldIntoPieces) {
   EXPECT_GT(tree_.bytes(), boxes_.size() * sizeof(Aabb));
 }
 
+// A grid is chosen on 128 boxes, here those of every 100th slot.
+TEST_P(CellTreeTest, DoesNotMatterWhetherALookAtFewBoxesShowsThePlates) {
+  const auto copies_with_plates_at = [&](std::size_t place) {
+    std::vector<Aabb> boxes = uniform_boxes(12'800, 8);
+    for (std::size_t slot = place; slot < boxes.size(); slot += 5) {
+      boxes[slot].min[0] = boxes[slot].min[1] = -1e3F;
+      boxes[slot].max[0] = boxes[slot].max[1] = 1e3F;
+    }
+    tree_.build({boxes.data(), boxes.size()});
+    return tree_.copies();
+  };
+  const std::uint64_t shown = copies_with_plates_at(0);
+  EXPECT_LT(copies_with_plates_at(2), 2 * shown);
+}
+
 TEST_P(CellTreeTest, GivesMemoryBackWhenItIsBuiltForFew) {
   build(uniform_boxes(8000, 1));
   const std::size_t full = tree_.bytes();

@@ -86,17 +86,17 @@ TEST(Grid, ExactlyOneOfTheCellsThatTwoBoxesShareOwnsTheirPair) {
 
 TEST(GridChoice, CutsAWorldThatIsSpreadOutAndLeavesOneThatIsNot) {
   const std::vector<Aabb> spread = uniform_boxes(5000, 3);
-  const GridChoice cut = choose_grid({spread.data(), spread.size()});
+  const GridChoice cut = choose_grid({spread.data(), spread.size()}, Look::at_all);
   EXPECT_TRUE(cut.pays);
   EXPECT_GT(cut.grid.cells(), 50U);
   const std::vector<Aabb> heap(5000, Aabb{{1, 1, 1}, {2, 2, 2}});
-  EXPECT_FALSE(choose_grid({heap.data(), heap.size()}).pays);
+  EXPECT_FALSE(choose_grid({heap.data(), heap.size()}, Look::at_all).pays);
 }
 
 TEST(GridChoice, OneBodyFarAwayDoesNotSpoilTheGridOfTheOthers) {
   std::vector<Aabb> boxes = uniform_boxes(5000, 4);
   boxes[17] = point(1e30F, 1e30F, 1e30F);
-  const GridChoice choice = choose_grid({boxes.data(), boxes.size()});
+  const GridChoice choice = choose_grid({boxes.data(), boxes.size()}, Look::at_all);
   std::vector<std::uint32_t> counts(choice.grid.cells(), 0);
   for (const Aabb& box : boxes) ++counts[choice.grid.block_of(box).first];
   EXPECT_LT(*std::max_element(counts.begin(), counts.end()), boxes.size() / 20);
