@@ -146,7 +146,7 @@ void register_cost_rows() {
   register_row("kStartCost", tuning::kStartCost, [] { return thread_costs().start; });
   register_row("kTooSmall", tuning::kTooSmall, [] { return 2 * tuning::kJobs * thread_costs().dispatch; });
   // Nanoseconds of a pair just below and above where the way to sort changes; neither should stand out.
-  for (const std::size_t limit : {tuning::kFewKeys, tuning::kOneBucket, tuning::kOneCount}) {
+  for (const std::size_t limit : {tuning::kFewKeys, tuning::kOneStep}) {
     register_row("sort/" + std::to_string(limit), 0, [limit] { return sort_cost(limit); });
     register_row("sort/" + std::to_string(limit + 1), 0, [limit] { return sort_cost(limit + 1); });
   }

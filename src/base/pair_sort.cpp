@@ -17,8 +17,7 @@ using tuning::kBuckets;
 using tuning::kCounters;
 using tuning::kFewKeys;
 using tuning::kNarrowest;
-using tuning::kOneBucket;
-using tuning::kOneCount;
+using tuning::kOneStep;
 
 template <class AnyPair>
 void insertion_sort(AnyPair* pairs, std::size_t count) {
@@ -197,11 +196,10 @@ void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array
   const std::size_t total = count_keys(parts);
   sorted.renew(total);
   if (total == 0) return;
-  if (total <= std::max(kOneBucket, kOneCount)) {
+  if (total <= kOneStep) {
     scratch.renew(total);
     const Range range = gather(parts, scratch);
-    if (total <= kOneBucket || range.size() <= kCounters)
-      return sort_in_range(scratch.view(), range, sorted.data());
+    return sort_in_range(scratch.view(), range, sorted.data());
   }
   Distribution distribution(crew, parts, scratch);
   distribution.run(total);

@@ -20,12 +20,23 @@ bool are_consecutive(std::span<const BodyId> ids) {
   return differs == 0 && (ids.empty() || ids.front() <= ids.back());
 }
 
+/// Whether a few of them are: these tell ids that lie far apart.
+bool some_are_below(BodyId most, std::span<const BodyId> ids) {
+  constexpr std::size_t kLooks = 64;
+  const std::size_t step = ids.size() / kLooks + 1;
+  for (std::size_t i = 0; i < ids.size(); i += step) {
+    if (ids[i] < most) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 // As far as most of the ids reach.
 void IdTable::grow_direct(std::span<const BodyId> ids) {
   const std::size_t room = kDirectEntries * (size_ + ids.size()) + kSmallTable;
   const auto most = static_cast<BodyId>(std::min(room, std::size_t{std::numeric_limits<BodyId>::max()}));
+  if (!some_are_below(most, ids)) return;
   std::uint32_t count = 0;
   BodyId largest = 0;
   for (const BodyId id : ids) {
@@ -42,7 +53,9 @@ void IdTable::reserve_for(std::span<const BodyId> ids) {
   grow_direct(ids);
   make_room(ids_, ids_.size() + ids.size());
   const auto is_sparse_id = [&](BodyId id) { return id >= direct_.size(); };
-  const auto sparse = static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), is_sparse_id));
+  const auto sparse = direct_.empty()
+                          ? ids.size()
+                          : static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), is_sparse_id));
   if (sparse > 0) sparse_.reserve(sparse_.size() + sparse);
 }
 
