@@ -54,6 +54,39 @@ class RunCopy {
   AnyPair* to_;
 };
 
+/// Returns the end of what it wrote.
+template <class AnyPair>
+AnyPair* write_changed(std::span<const AnyPair> old, std::span<const AnyPair> began,
+                       std::span<const AnyPair> ended, AnyPair* to) {
+  RunCopy copy(old, to);
+  while (!began.empty() || !ended.empty()) {
+    // A pair that is in both lists ended with one body and began with another of the same number.
+    const bool is_end = began.empty() || (!ended.empty() && pair_key(ended[0]) <= pair_key(began[0]));
+    const AnyPair pair = is_end ? ended[0] : began[0];
+    copy.until(pair_key(pair));
+    if (is_end) {
+      copy.leave_out(pair_key(pair));
+      ended = ended.subspan(1);
+    } else {
+      copy.put(pair);
+      began = began.subspan(1);
+    }
+  }
+  return copy.finish();
+}
+
+/// Where a worker begins, in each of the lists.
+struct Start {
+  std::size_t old = 0;
+  std::size_t began = 0;
+  std::size_t ended = 0;
+};
+
+template <class AnyPair>
+std::size_t count_below(std::span<const AnyPair> pairs, const AnyPair& pair) {
+  return static_cast<std::size_t>(std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin());
+}
+
 }  // namespace
 
 template <class AnyPair>
@@ -89,21 +122,30 @@ template <class AnyPair>
 void apply_changes(std::span<const AnyPair> old, std::span<const AnyPair> began,
                    std::span<const AnyPair> ended, Array<AnyPair>& now) {
   now.renew(old.size() + began.size());
-  RunCopy copy(old, now.data());
-  while (!began.empty() || !ended.empty()) {
-    // A pair that is in both lists ended with one body and began with another of the same number.
-    const bool is_end = began.empty() || (!ended.empty() && pair_key(ended[0]) <= pair_key(began[0]));
-    const AnyPair pair = is_end ? ended[0] : began[0];
-    copy.until(pair_key(pair));
-    if (is_end) {
-      copy.leave_out(pair_key(pair));
-      ended = ended.subspan(1);
-    } else {
-      copy.put(pair);
-      began = began.subspan(1);
-    }
-  }
-  now.shrink(static_cast<std::size_t>(copy.finish() - now.data()));
+  now.shrink(static_cast<std::size_t>(write_changed(old, began, ended, now.data()) - now.data()));
+}
+
+// Each worker's part of the old list and what changes from its first pair on to that of the next.
+template <class AnyPair>
+void apply_changes(Crew& crew, std::span<const AnyPair> old, std::span<const AnyPair> began,
+                   std::span<const AnyPair> ended, Array<AnyPair>& now) {
+  const std::size_t size = old.size() + began.size() - ended.size();
+  const unsigned workers = old.size() < crew.active() ? 1 : crew.active();
+  const auto start_of = [&](unsigned worker) -> Start {
+    if (worker == 0) return {};
+    if (worker == workers) return {old.size(), began.size(), ended.size()};
+    const std::size_t first = Share::of(old.size(), worker, workers).first;
+    return {first, count_below(began, old[first]), count_below(ended, old[first])};
+  };
+  now.renew(size);
+  crew.run([&](unsigned worker) {
+    if (worker >= workers) return;
+    const Start from = start_of(worker);
+    const Start to = start_of(worker + 1);
+    write_changed(old.subspan(from.old, to.old - from.old), began.subspan(from.began, to.began - from.began),
+                  ended.subspan(from.ended, to.ended - from.ended),
+                  now.data() + from.old + from.began - from.ended);
+  });
 }
 
 template <class AnyPair>
@@ -130,6 +172,8 @@ template void apply_changes(std::span<const Pair>, std::span<const Pair>, std::s
                             Array<Pair>&);
 template void apply_changes(std::span<const SlotPair>, std::span<const SlotPair>, std::span<const SlotPair>,
                             Array<SlotPair>&);
+template void apply_changes(Crew&, std::span<const SlotPair>, std::span<const SlotPair>,
+                            std::span<const SlotPair>, Array<SlotPair>&);
 template void apply_notes(std::span<const Pair>, std::span<PairNote>, Array<Pair>&);
 template void apply_notes(std::span<const SlotPair>, std::span<PairNote>, Array<SlotPair>&);
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/crew.h"
 #include "base/memory/array.h"
 #include "cellsweep/engine/engine.h"
 #include "cellsweep/pair.h"
@@ -25,9 +26,15 @@ template <class AnyPair>
 void find_changes(std::span<const AnyPair> old, std::span<const AnyPair> now,
                   std::span<const std::uint32_t> gone, Array<AnyPair>& began, Array<AnyPair>& ended);
 
-/// Writes a list with some changes to `now`. What lies between two changes is copied as a whole.
+/// Writes a list with some changes to `now`. What lies between two changes is copied as a whole. All that
+/// ended is in the old list.
 template <class AnyPair>
 void apply_changes(std::span<const AnyPair> old, std::span<const AnyPair> began,
+                   std::span<const AnyPair> ended, Array<AnyPair>& now);
+
+/// The same by all workers; nothing of the old list began.
+template <class AnyPair>
+void apply_changes(Crew& crew, std::span<const AnyPair> old, std::span<const AnyPair> began,
                    std::span<const AnyPair> ended, Array<AnyPair>& now);
 
 /// The same with changes in the order in which they came, the last word on a pair counting. Sorts them.

@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "base/thread_pool.h"
 #include "contract/random.h"
 
 namespace cellsweep {
@@ -111,6 +112,27 @@ TYPED_TEST(PairChangesTest, TheLastNoteOnAPairCounts) {
     }
     apply_notes<TypeParam>(this->listed(old), notes, this->now_);
     ASSERT_THAT(this->now_.view(), ElementsAreArray(now));
+  }
+}
+
+TEST(PairChanges, AreAppliedByAnyNumberOfWorkersAlike) {
+  Random random(3);
+  Array<SlotPair> now;
+  for (const unsigned workers : {1U, 2U, 5U}) {
+    Crew crew(std::make_shared<ThreadPool>(workers), workers, Crew::Choice::given);
+    for (int round = 0; round < 200; ++round) {
+      std::vector<SlotPair> old, began, ended, expected;
+      const Slot last = round % 4 == 0 ? 5 : 300;
+      for (Slot slot = 0; slot < last; ++slot) {
+        const SlotPair pair{slot, slot + 1};
+        const bool was = random.one_in(2), is = random.one_in(8) ? !was : was;
+        if (was) old.push_back(pair);
+        if (is) expected.push_back(pair);
+        if (was != is) (is ? began : ended).push_back(pair);
+      }
+      apply_changes<SlotPair>(crew, old, began, ended, now);
+      ASSERT_THAT(now.view(), ElementsAreArray(expected)) << workers << " workers, round " << round;
+    }
   }
 }
 

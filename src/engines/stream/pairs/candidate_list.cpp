@@ -1,6 +1,7 @@
 #include "engines/stream/pairs/candidate_list.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "base/tuning.h"
@@ -69,25 +70,37 @@ void CandidateList::note(Crew& crew, std::span<const std::uint64_t> keys, bool a
 SlotPairChanges CandidateList::change(Crew& crew, KeyParts touched, const std::uint8_t* changed) {
   pairs(crew);
   sort_pairs(crew, touched, keys_, began_);
-  list_pairs_of(changed, ended_);
+  list_pairs_of(crew, changed, ended_);
   cancel_equal(began_, ended_);
   size_ = size_ + began_.size() - ended_.size();
   if (began_.size() + ended_.size() > 0) {
-    apply_changes<SlotPair>(pairs_.view(), began_.view(), ended_.view(), spare_);
+    apply_changes<SlotPair>(crew, pairs_.view(), began_.view(), ended_.view(), spare_);
     std::swap(pairs_, spare_);
   }
   return {std::as_const(began_).view(), std::as_const(ended_).view()};
 }
 
 // Which these are nobody can foretell: there is no branch on it.
-void CandidateList::list_pairs_of(const std::uint8_t* changed, Array<SlotPair>& listed) const {
+void CandidateList::list_pairs_of(Crew& crew, const std::uint8_t* changed, Array<SlotPair>& listed) const {
   listed.renew(pairs_.size());
-  SlotPair* to = listed.data();
-  for (const SlotPair& pair : pairs_.view()) {
-    *to = pair;
-    to += (changed[pair.a] | changed[pair.b]) != 0 ? 1 : 0;
+  std::vector<std::size_t> counts(crew.active());
+  crew.run([&](unsigned worker) {
+    const Share share = Share::of(pairs_.size(), worker, crew.active());
+    SlotPair* const first = listed.data() + share.first;
+    SlotPair* to = first;
+    for (const SlotPair& pair : pairs_.view().subspan(share.first, share.last - share.first)) {
+      *to = pair;
+      to += (changed[pair.a] | changed[pair.b]) != 0 ? 1 : 0;
+    }
+    counts[worker] = static_cast<std::size_t>(to - first);
+  });
+  std::size_t size = counts[0];
+  for (unsigned worker = 1; worker < crew.active(); ++worker) {
+    const SlotPair* const from = listed.data() + Share::of(pairs_.size(), worker, crew.active()).first;
+    std::memmove(listed.data() + size, from, counts[worker] * sizeof(SlotPair));
+    size += counts[worker];
   }
-  listed.shrink(static_cast<std::size_t>(to - listed.data()));
+  listed.shrink(size);
 }
 
 std::size_t CandidateList::bytes() const {

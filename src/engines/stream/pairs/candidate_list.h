@@ -50,7 +50,7 @@ class CandidateList {
   std::size_t bytes() const;
 
  private:
-  void list_pairs_of(const std::uint8_t* changed, Array<SlotPair>& listed) const;
+  void list_pairs_of(Crew& crew, const std::uint8_t* changed, Array<SlotPair>& listed) const;
 
   std::vector<std::span<const std::uint64_t>> found_;  // the pairs, when they have not been sorted yet
   List<PairNote> notes_;  // what pairs_ does not know yet, in the order in which it came
