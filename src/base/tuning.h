@@ -134,8 +134,8 @@ inline constexpr std::size_t kFewNotes = 4096;
 inline constexpr std::size_t kBuckets = 512;
 /// Fewer keys than this are compared.
 inline constexpr std::size_t kFewKeys = 24;
-/// Fewer keys than this are sorted by one thread, in one step: into as many buckets as there are keys, or by a
-/// counter for each first number. EPYC, uniform 3,000 to 30,000, scattered ids and dense ones.
+/// Fewer keys than this are sorted by one thread, in one step: into as many buckets as there are keys, or by
+/// a counter for each first number. EPYC, uniform 3,000 to 30,000, scattered ids and dense ones.
 inline constexpr std::size_t kOneStep = 16384;
 /// A bucket has at least so many first numbers.
 inline constexpr std::uint64_t kNarrowest = 4096;
