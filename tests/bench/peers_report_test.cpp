@@ -124,10 +124,10 @@ TEST(PeerTables, HaveARowForEachCell) {
   EXPECT_THAT(times_csv(results_of(two_cells())), HasSubstr("uniform,1000,initial,wrong,"));
 }
 
-TEST(PeerTables, ShowMeansAndPercentilesBesideMedians) {
+TEST(PeerTables, ShowMediansAndPercentilesBesideMeans) {
   const PeerResults results =
-      results_of(row("peers/stream/open-world/1000/own", 10, R"(, "mean": 12, "p99": 31)") +
-                 row("peers/quick/open-world/1000/own", 40, R"(, "mean": 44, "p99": 50)"));
+      results_of(row("peers/stream/open-world/1000/own", 10, R"(, "median": 12, "p99": 31)") +
+                 row("peers/quick/open-world/1000/own", 40, R"(, "median": 44, "p99": 50)"));
   EXPECT_THAT(
       cells_markdown(results),
       HasSubstr("| open-world | 1,000 | as the scene moves | 0 | 10.0 µs | 12.0 µs, 31.0 µs | `quick` | "

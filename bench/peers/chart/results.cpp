@@ -96,7 +96,7 @@ class Reader {
     if (std::find(known.begin(), known.end(), peer) == known.end()) known.push_back(peer);
     PeerTime& time = results_.cells[cell][peer];
     time.seconds = seconds_of(row);
-    time.mean = 1e-6 * row.value("mean", 0.0);
+    time.median = 1e-6 * row.value("median", 0.0);
     time.p99 = 1e-6 * row.value("p99", 0.0);
     time.pairs = row.value("pairs", 0.0);
     time.missing = row.value("missing", 0.0);

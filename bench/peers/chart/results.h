@@ -23,8 +23,8 @@ struct CellKey {
 };
 
 struct PeerTime {
-  double seconds = 0;  ///< the median
-  double mean = 0;     ///< seconds, of the frames of a repetition; 0 in files that do not have it
+  double seconds = 0;  ///< the mean of the frames of a repetition; of repetitions the one in the middle
+  double median = 0;   ///< seconds, of the frames; 0 in files that do not have it
   double p99 = 0;      ///< the 99th percentile, the same way
   double spread = 0;   ///< standard deviation of the repetitions over their mean
   double pairs = 0;

@@ -27,8 +27,8 @@ std::string time_of(double seconds) {
 }
 
 // Empty for files that do not have them.
-std::string mean_and_p99(const PeerTime& time) {
-  return time.mean > 0 ? time_of(time.mean) + ", " + time_of(time.p99) : "";
+std::string median_and_p99(const PeerTime& time) {
+  return time.median > 0 ? time_of(time.median) + ", " + time_of(time.p99) : "";
 }
 
 std::string count_of(double count) {
@@ -103,14 +103,14 @@ std::string headline_markdown(const PeerResults& results) {
 
 std::string cells_markdown(const PeerResults& results) {
   std::string table =
-      "| scene | bodies | mode | pairs | `stream` | mean, 99 % | best other | its time | mean, 99 % | ratio "
+      "| scene | bodies | mode | pairs | `stream` | median, 99 % | best other | its time | median, 99 % | ratio "
       "| `stream` / memory |\n"
       "|---|--:|---|--:|--:|--:|---|--:|--:|--:|--:|\n";
   for (const CellRatio& ratio : ratios_of(results)) {
     table += text("| ", kPeerScenes[ratio.cell.scene], " | ", report::count_text(ratio.cell.bodies), " | ",
                   kPeerModes[ratio.cell.mode].title, " | ", count_of(ratio.pairs), " | ",
-                  time_of(ratio.stream.seconds), " | ", mean_and_p99(ratio.stream), " | `", ratio.best,
-                  "` | ", time_of(ratio.best_time.seconds), " | ", mean_and_p99(ratio.best_time), " | ",
+                  time_of(ratio.stream.seconds), " | ", median_and_p99(ratio.stream), " | `", ratio.best,
+                  "` | ", time_of(ratio.best_time.seconds), " | ", median_and_p99(ratio.best_time), " | ",
                   short_number(ratio.ratio()), " | ",
                   ratio.memory > 0 ? short_number(ratio.over_memory()) : std::string(), " |\n");
   }
@@ -132,12 +132,12 @@ std::string tails_markdown(const PeerResults& results) {
 
 std::string times_csv(const PeerResults& results) {
   std::string csv = text("# ", results.machine, "\n",
-                         "scene,bodies,mode,peer,seconds,mean,p99,spread,pairs,missing,extra,over_stream\n");
+                         "scene,bodies,mode,peer,seconds,median,p99,spread,pairs,missing,extra,over_stream\n");
   for (const auto& [cell, times] : results.cells) {
     const auto stream = times.find("stream");
     for (const auto& [peer, time] : times) {
       csv += text(kPeerScenes[cell.scene], ",", cell.bodies, ",", kPeerModes[cell.mode].name, ",", peer, ",",
-                  time.seconds, ",", time.mean, ",", time.p99, ",", time.spread, ",", time.pairs, ",",
+                  time.seconds, ",", time.median, ",", time.p99, ",", time.spread, ",", time.pairs, ",",
                   time.missing, ",", time.extra, ",");
       if (stream != times.end()) csv += text(time.seconds / stream->second.seconds);
       csv += "\n";
