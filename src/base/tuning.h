@@ -61,6 +61,10 @@ inline constexpr float kMostTremble = 0.125F;
 /// A body that leaves its fat box after no more updates than this has turned back. EPYC, cubes that go to and
 /// fro in small steps: up to four each way leave no fat box.
 inline constexpr unsigned kEarly = 3;
+/// Of one that is known to tremble, whose fat boxes are made for the most updates. EPYC, stacks in Bullet.
+inline constexpr unsigned kEarlyOfTrembling = 8;
+/// The least that a fat box reaches to either side, then, is kMostTremble halved so often.
+inline constexpr unsigned kMostHalvings = 15;
 
 // --- cells
 // ----------------------------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 #include "engines/stream/bodies/fat_box.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <cstring>
 
@@ -42,7 +43,8 @@ Float4 growth(Float4 step, Float4 edge, float updates) {
 Float4 to_either_side(Float4 step, Float4 edge, const Outlook& outlook) {
   const Float4 margin = splat(outlook.margin);
   if (!outlook.may_turn) return margin;
-  const Float4 reach = smaller(absolute(step) * outlook.updates, edge * tuning::kMostTremble);
+  const Float4 wanted = larger(absolute(step) * outlook.updates, edge * outlook.reach);
+  const Float4 reach = smaller(wanted, edge * tuning::kMostTremble);
   return larger(where_near(step, edge, reach), margin);
 }
 
@@ -66,11 +68,12 @@ Aabb fat_box_of(const Aabb& old_box, const Aabb& now_box, const Outlook& outlook
   return fat;
 }
 
-bool is_short_step(const Aabb& old_box, const Aabb& now_box) {
+float step_in_lengths(const Aabb& old_box, const Aabb& now_box) {
   const BoxLanes old(old_box);
   const BoxLanes now(now_box);
-  const Float4 most = (now.max - now.min) * tuning::kMostTremble;
-  return on_all_axes((absolute(now.min - old.min) <= most) & (absolute(now.max - old.max) <= most));
+  const Float4 step = larger(absolute(now.min - old.min), absolute(now.max - old.max));
+  const Float4 lengths = step / larger(now.max - now.min, splat(FLT_MIN));
+  return std::max(std::max(lengths[0], lengths[1]), lengths[2]);
 }
 
 }  // namespace cellsweep::stream

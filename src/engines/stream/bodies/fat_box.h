@@ -11,14 +11,14 @@ struct Outlook {
   float updates = 0;      ///< in which the body keeps its course
   bool may_turn = false;  ///< or turns back: a body that trembles
   float margin = 0;       ///< on all sides, whatever the body does
+  float reach = 0;        ///< to either side at least, in lengths of the box, when it may turn
 };
 
 /// A box that encloses `now` and, the way that led from `old` to it, what comes next. A box that moves
 /// further than its own length at a time does not grow but for the margin.
 Aabb fat_box_of(const Aabb& old, const Aabb& now, const Outlook& outlook);
 
-/// Whether a fat box that was made for a body with this step lasts for as many updates as it should, if the
-/// body keeps its course: a longer step is cut off.
-bool is_short_step(const Aabb& old, const Aabb& now);
+/// How far a box moved, in its own lengths, on the axis where that is most.
+float step_in_lengths(const Aabb& old, const Aabb& now);
 
 }  // namespace cellsweep::stream

@@ -115,14 +115,40 @@ FatBoxes::Course FatBoxes::course_of_long_ago() const {
   return {.made = static_cast<std::uint8_t>((updates_ + kCourseUpdates / 2) % kCourseUpdates)};
 }
 
-// A fat box that did not last though the body was slow was made for another course: the body trembles, until
-// one lasts.
 Aabb FatBoxes::grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates) {
   Course& course = courses_[slot];
   const unsigned age = (updates_ - course.made) % kCourseUpdates;
-  if (escaped) course.trembles = age <= tuning::kEarly && is_short_step(before, now);
+  if (escaped && (course.trembles || age <= tuning::kEarly)) judge(course, age, step_in_lengths(before, now));
   course.made = updates_ % kCourseUpdates;
-  return fat_box_of(before, now, {updates, course.trembles, margin_});
+  if (!course.trembles) return fat_box_of(before, now, {.updates = updates, .margin = margin_});
+  return fat_box_of(before, now,
+                    {.updates = tuning::kOneAhead,
+                     .may_turn = true,
+                     .margin = margin_,
+                     .reach = reach_of(course.halvings)});
+}
+
+// Asked when a fat box did not last, or was that of a body which trembles. One that did not last though the
+// body was slow was made for another course: the body trembles. From then on its fat boxes reach further to
+// either side until they last, and less far where they do: a body that keeps its course has ones that last
+// without that.
+void FatBoxes::judge(Course& course, unsigned age, float step) {
+  const bool is_slow = step <= tuning::kMostTremble;
+  if (!course.trembles) {
+    course.trembles = is_slow;
+    course.halvings = tuning::kMostHalvings;
+    while (course.halvings > 0 && reach_of(course.halvings) < 4 * step) --course.halvings;
+  } else if (age <= tuning::kEarlyOfTrembling) {
+    course.trembles = is_slow;
+    course.halvings = static_cast<std::uint8_t>(std::max(int{course.halvings} - 2, 0));
+  } else {
+    course.trembles = is_slow && course.halvings < tuning::kMostHalvings && reach_of(course.halvings) > step;
+    ++course.halvings;
+  }
+}
+
+float FatBoxes::reach_of(unsigned halvings) {
+  return tuning::kMostTremble / static_cast<float>(1U << halvings);
 }
 
 void FatBoxes::list_inserted(Slot slot, const Aabb& now) {

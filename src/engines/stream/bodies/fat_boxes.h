@@ -29,8 +29,8 @@ struct FatBoxChange {
 
 /// Every body has two boxes: its own, and a fat box around it in which it may move about. Fat boxes are what
 /// the cells hold; while a body stays inside of its own, no cell changes. It is the box itself until the body
-/// moves, and from then on covers where the body would be some updates later if it kept its course, or, for
-/// one that did not, the same way to either side.
+/// moves, and from then on covers where the body would be some updates later if it kept its course, and, for
+/// one that trembles, as much to either side as makes it last.
 class FatBoxes {
  public:
   /// `margin` is StreamOptions::margin.
@@ -68,11 +68,14 @@ class FatBoxes {
   struct Course {
     std::uint8_t made : 7 = 0;  // the update that made the fat box, modulo kCourseUpdates
     bool trembles : 1 = false;
+    std::uint8_t halvings = 0;  // of how far the fat box of one that trembles reaches to either side
   };
 
   Course course_of_long_ago() const;
   void make_slack(const BodyChanges& changes);
   Aabb grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates);
+  static void judge(Course& course, unsigned age, float step);
+  static float reach_of(unsigned halvings);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
   void renew_all(Crew& crew, const BodyChanges& changes);
   void list(const BodyChanges& changes, std::size_t count);

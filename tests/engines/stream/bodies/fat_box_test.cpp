@@ -71,6 +71,21 @@ TEST(FatBox, OfABodyThatMayTurnReachesAsFarToEitherSide) {
   EXPECT_EQ(fat_box_of(kUnit, kUnit, {.updates = 8, .may_turn = true}), kUnit);
 }
 
+TEST(FatBox, OfABodyThatMayTurnReachesSoManyLengthsAtLeast) {
+  EXPECT_EQ(fat_box_of(kUnit, kUnit, {.updates = 8, .may_turn = true, .reach = 0.0625F}),
+            (Aabb{{-0.0625F, -0.0625F, -0.0625F}, {1.0625F, 1.0625F, 1.0625F}}));
+  EXPECT_EQ(fat_box_of(kUnit, kUnit, {.updates = 8, .reach = 0.0625F}), kUnit) << "and others do not";
+}
+
+TEST(FatBox, IsMadeForAStepInLengthsOfTheBox) {
+  EXPECT_EQ(step_in_lengths(kUnit, unit_at(-0.25F)), 0.25F);
+  EXPECT_EQ(step_in_lengths(kUnit, Aabb{{0, 0, 0}, {1, 2, 1}}), 0.5F) << "on the axis where it is most";
+  EXPECT_EQ(step_in_lengths(kUnit, kUnit), 0);
+  const Aabb point = {{3, 3, 3}, {3, 3, 3}};
+  EXPECT_GT(step_in_lengths(kUnit, point), 1e6F);
+  EXPECT_EQ(step_in_lengths(point, point), 0);
+}
+
 TEST(FatBox, HasTheMarginOnAllSidesWhateverTheBodyDoes) {
   const Aabb wide = {{-0.25F, -0.25F, -0.25F}, {1.25F, 1.25F, 1.25F}};
   EXPECT_EQ(fat_box_of(kUnit, kUnit, {.updates = 8, .margin = 0.25F}), wide);
@@ -87,7 +102,7 @@ TEST(FatBox, StaysWithinTheNumbersThereAre) {
   for (const Aabb& old : {all, corner, half, other_half, kUnit}) {
     for (const Aabb& now : {all, corner, half, other_half, kUnit}) {
       for (const float margin : {0.0F, 1.0F, 1e30F}) {
-        const Aabb fat = fat_box_of(old, now, {12, true, margin});
+        const Aabb fat = fat_box_of(old, now, {12, true, margin, 0.125F});
         EXPECT_TRUE(encloses(fat, now));
         EXPECT_TRUE(encloses(all, fat));
       }

@@ -218,6 +218,43 @@ TEST_P(FatBoxesTest, DoNotAllEndAtOnce) {
   EXPECT_LT(*std::max_element(changed.begin() + 1, changed.end()), 200U);
 }
 
+// Their steps tell nothing of how far they stray: the smallest are much shorter than the longest.
+TEST_P(FatBoxesTest, OfBodiesThatTrembleByChanceComeToLast) {
+  contract::Random random(3);
+  const std::vector<Aabb> places(200, Aabb{{0, 0, 0}, {1, 1, 1}});
+  for (const double most : {1e-5, 1e-3, 0.05}) {
+    fat_ = FatBoxes();
+    boxes_.clear();
+    insert(places);
+    take(0);
+    std::size_t changed = 0;
+    for (int step = 0; step < 300; ++step) {
+      for (Slot slot = 0; slot < 200; ++slot) {
+        const double sway = most * std::pow(random.between(-1, 1), 3);
+        move(slot, along_x(places[slot], static_cast<float>(sway)));
+      }
+      const bool any = take() != Extent::inside;
+      changed += any && step >= 200 ? listed() : 0;
+    }
+    EXPECT_LT(changed, 100 * 200 / 10) << "a tenth of them at a time, where steps are up to " << most;
+  }
+}
+
+TEST_P(FatBoxesTest, OfABodyThatTrembledAndWentItsWayAreAsThoseOfOthers) {
+  insert({{{0, 0, 0}, {1, 1, 1}}});
+  take(0);
+  for (int step = 0; step < 40; ++step) {
+    move(0, along_x(boxes_[0], step % 2 == 0 ? 0.01F : -0.01F));
+    take();
+  }
+  EXPECT_LT(fat(0).min[1], boxes_[0].min[1]) << "it may go to any side";
+  for (int step = 0; step < 200; ++step) {
+    move(0, along_x(boxes_[0], 0.01F));
+    take();
+  }
+  EXPECT_EQ(fat(0).min[1], boxes_[0].min[1]);
+}
+
 TEST_P(FatBoxesTest, AreTheBoxesAgainWhenSlackIsDropped) {
   insert(uniform_boxes(500, 1));
   take(0);
