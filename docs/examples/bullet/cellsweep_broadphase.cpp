@@ -1,0 +1,219 @@
+#include "cellsweep_broadphase.h"
+
+#include <LinearMath/btAabbUtil2.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+using cellsweep::BodyFilter;
+using cellsweep::BodyId;
+using cellsweep::Status;
+
+namespace {
+
+// Where btScalar is double, boxes are rounded to the outside.
+float at_most(btScalar value) {
+  const auto rounded = static_cast<float>(value);
+  return rounded > value ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
+}
+
+float at_least(btScalar value) {
+  return -at_most(-value);
+}
+
+cellsweep::Aabb box_of(const btBroadphaseProxy& proxy) {
+  const btVector3& low = proxy.m_aabbMin;
+  const btVector3& high = proxy.m_aabbMax;
+  return {{at_most(low.x()), at_most(low.y()), at_most(low.z())},
+          {at_least(high.x()), at_least(high.y()), at_least(high.z())}};
+}
+
+}  // namespace
+
+CellsweepBroadphase::CellsweepBroadphase(cellsweep::Broadphase broadphase)
+    : broadphase_(std::move(broadphase)) {}
+
+CellsweepBroadphase::Proxy& CellsweepBroadphase::take_proxy() {
+  if (free_.empty()) {
+    proxies_.emplace_back();
+    proxies_.back().id = static_cast<BodyId>(proxies_.size() - 1);
+    return proxies_.back();
+  }
+  Proxy& proxy = proxies_[free_.back()];
+  free_.pop_back();
+  return proxy;
+}
+
+btBroadphaseProxy* CellsweepBroadphase::createProxy(const btVector3& aabb_min, const btVector3& aabb_max, int,
+                                                    void* user, int group, int mask, btDispatcher*) {
+  Proxy& proxy = take_proxy();
+  proxy.m_clientObject = user;
+  proxy.m_collisionFilterGroup = group;
+  proxy.m_collisionFilterMask = mask;
+  proxy.m_uniqueId = static_cast<int>(proxy.id) + 1;
+  proxy.m_aabbMin = aabb_min;
+  proxy.m_aabbMax = aabb_max;
+  proxy.is_there = true;
+  created_.push_back(proxy.id);
+  return &proxy;
+}
+
+void CellsweepBroadphase::destroyProxy(btBroadphaseProxy* base, btDispatcher* dispatcher) {
+  pairs_.removeOverlappingPairsContainingProxy(base, dispatcher);
+  auto& proxy = static_cast<Proxy&>(*base);
+  forget_move(proxy);
+  if (proxy.is_told) removed_.push_back(proxy.id);
+  gone_.push_back(proxy.id);
+  proxy.is_there = proxy.is_told = false;
+}
+
+// Bullet says where everything is in each step, whether it moved or not.
+void CellsweepBroadphase::setAabb(btBroadphaseProxy* base, const btVector3& aabb_min,
+                                  const btVector3& aabb_max, btDispatcher*) {
+  auto& proxy = static_cast<Proxy&>(*base);
+  if (proxy.m_aabbMin == aabb_min && proxy.m_aabbMax == aabb_max) return;
+  proxy.m_aabbMin = aabb_min;
+  proxy.m_aabbMax = aabb_max;
+  if (!proxy.is_told) return;
+  if (proxy.place == Proxy::kNowhere) {
+    proxy.place = moved_.size();
+    moved_.push_back(proxy.id);
+    moved_boxes_.push_back(box_of(proxy));
+  } else {
+    moved_boxes_[proxy.place] = box_of(proxy);
+  }
+}
+
+// The last one takes the place.
+void CellsweepBroadphase::forget_move(Proxy& proxy) {
+  if (proxy.place == Proxy::kNowhere) return;
+  proxies_[moved_.back()].place = proxy.place;
+  moved_[proxy.place] = moved_.back();
+  moved_boxes_[proxy.place] = moved_boxes_.back();
+  proxy.place = Proxy::kNowhere;
+  moved_.pop_back();
+  moved_boxes_.pop_back();
+}
+
+void CellsweepBroadphase::getAabb(btBroadphaseProxy* proxy, btVector3& aabb_min, btVector3& aabb_max) const {
+  aabb_min = proxy->m_aabbMin;
+  aabb_max = proxy->m_aabbMax;
+}
+
+void CellsweepBroadphase::rayTest(const btVector3& from, const btVector3&, btBroadphaseRayCallback& callback,
+                                  const btVector3& aabb_min, const btVector3& aabb_max) {
+  for (const Proxy& proxy : proxies_) {
+    if (!proxy.is_there) continue;
+    // A box that is cast along the ray makes the others larger.
+    const btVector3 bounds[2] = {proxy.m_aabbMin - aabb_max, proxy.m_aabbMax - aabb_min};
+    btScalar where = 1;
+    if (btRayAabb2(from, callback.m_rayDirectionInverse, callback.m_signs, bounds, where, 0,
+                   callback.m_lambda_max))
+      callback.process(&proxy);
+  }
+}
+
+void CellsweepBroadphase::aabbTest(const btVector3& aabb_min, const btVector3& aabb_max,
+                                   btBroadphaseAabbCallback& callback) {
+  for (const Proxy& proxy : proxies_) {
+    if (proxy.is_there && TestAabbAgainstAabb2(aabb_min, aabb_max, proxy.m_aabbMin, proxy.m_aabbMax))
+      callback.process(&proxy);
+  }
+}
+
+void CellsweepBroadphase::getBroadphaseAabb(btVector3& aabb_min, btVector3& aabb_max) const {
+  aabb_min.setValue(BT_LARGE_FLOAT, BT_LARGE_FLOAT, BT_LARGE_FLOAT);
+  aabb_max = -aabb_min;
+  for (const Proxy& proxy : proxies_) {
+    if (!proxy.is_there) continue;
+    aabb_min.setMin(proxy.m_aabbMin);
+    aabb_max.setMax(proxy.m_aabbMax);
+  }
+}
+
+void CellsweepBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
+  status_ = tell_changes();
+  if (!status_.ok()) return;
+  const auto changes = broadphase_.update();
+  if (!changes) {
+    status_ = changes.status();
+    return;
+  }
+  for (const cellsweep::Pair& pair : changes->ended) {
+    Proxy& one = proxies_[pair.a];
+    Proxy& other = proxies_[pair.b];
+    if (one.is_there && other.is_there) pairs_.removeOverlappingPair(&one, &other, dispatcher);
+  }
+  for (const cellsweep::Pair& pair : changes->began)
+    pairs_.addOverlappingPair(&proxies_[pair.a], &proxies_[pair.b]);
+  free_.insert(free_.end(), gone_.begin(), gone_.end());
+  gone_.clear();
+}
+
+Status CellsweepBroadphase::tell_changes() {
+  if (Status status = tell_removed(); !status.ok()) return status;
+  if (Status status = tell_filters(); !status.ok()) return status;
+  if (Status status = tell_created(); !status.ok()) return status;
+  return tell_moved();
+}
+
+Status CellsweepBroadphase::tell_removed() {
+  Status status = broadphase_.remove(removed_);
+  if (status.ok()) removed_.clear();
+  return status;
+}
+
+// Of the bodies that are there already, where a callback has come to decide, or gone.
+Status CellsweepBroadphase::tell_filters() {
+  const bool callback_decides = pairs_.getOverlapFilterCallback() != nullptr;
+  if (callback_decides == callback_decides_) return {};
+  callback_decides_ = callback_decides;
+  ids_.clear();
+  filters_.clear();
+  for (const Proxy& proxy : proxies_) {
+    if (!proxy.is_told) continue;
+    ids_.push_back(proxy.id);
+    filters_.push_back(filter_of(proxy));
+  }
+  Status status = broadphase_.set_filters(ids_, filters_);
+  if (!status.ok()) callback_decides_ = !callback_decides;
+  return status;
+}
+
+Status CellsweepBroadphase::tell_created() {
+  ids_.clear();
+  boxes_.clear();
+  filters_.clear();
+  for (const BodyId id : created_) {
+    const Proxy& proxy = proxies_[id];
+    if (!proxy.is_there) continue;  // destroyed before anybody heard of it
+    ids_.push_back(id);
+    boxes_.push_back(box_of(proxy));
+    filters_.push_back(filter_of(proxy));
+  }
+  Status status = broadphase_.insert(ids_, boxes_, filters_);
+  if (!status.ok()) return status;
+  for (const BodyId id : ids_) proxies_[id].is_told = true;
+  created_.clear();
+  return status;
+}
+
+Status CellsweepBroadphase::tell_moved() {
+  Status status = broadphase_.move(moved_, moved_boxes_);
+  if (!status.ok()) return status;
+  for (const BodyId id : moved_) proxies_[id].place = Proxy::kNowhere;
+  moved_.clear();
+  moved_boxes_.clear();
+  return status;
+}
+
+BodyFilter CellsweepBroadphase::filter_of(const Proxy& proxy) const {
+  if (callback_decides_) return {};
+  constexpr int kStatic = btBroadphaseProxy::StaticFilter;
+  const bool is_static =
+      proxy.m_collisionFilterGroup == kStatic && (proxy.m_collisionFilterMask & kStatic) == 0;
+  return {.category = static_cast<std::uint32_t>(proxy.m_collisionFilterGroup),
+          .mask = static_cast<std::uint32_t>(proxy.m_collisionFilterMask),
+          .is_static = is_static};
+}

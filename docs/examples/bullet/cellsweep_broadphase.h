@@ -1,0 +1,94 @@
+/// @file
+/// A broadphase for the worlds of the physics engine Bullet.
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
+#include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
+#include <cellsweep/broadphase.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+/// Stands in a btCollisionWorld or btDynamicsWorld where a btDbvtBroadphase would:
+///
+///     CellsweepBroadphase broadphase;
+///     btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+///
+/// Pairs are those whose boxes overlap, no more and no fewer, from one calculateOverlappingPairs() to the
+/// next, which Bullet calls in each step; there is no margin. Groups and masks are honoured, and what belongs
+/// to btBroadphaseProxy::StaticFilter alone and does not meet it is never compared with its like. Where the
+/// pair cache has a filter callback, that decides alone, as in Bullet's own broadphases. Filters are read
+/// when a proxy is made: btCollisionWorld::refreshBroadphaseProxy() makes it anew.
+///
+/// One thread at a time, like the world that it belongs to; inside, `stream` may use more.
+class CellsweepBroadphase final : public btBroadphaseInterface {
+ public:
+  /// `broadphase` has no bodies: one with the default options, or what cellsweep::make_broadphase() made.
+  explicit CellsweepBroadphase(cellsweep::Broadphase broadphase = {});
+  CellsweepBroadphase(const CellsweepBroadphase&) = delete;
+  CellsweepBroadphase& operator=(const CellsweepBroadphase&) = delete;
+
+  /// What the last calculateOverlappingPairs() was refused, by a limit on pairs, for example. The pairs are
+  /// then those of the call before, without those of proxies that are gone, and the next call takes up all
+  /// that was not heard.
+  const cellsweep::Status& status() const { return status_; }
+  const cellsweep::Broadphase& broadphase() const { return broadphase_; }
+
+  btBroadphaseProxy* createProxy(const btVector3& aabb_min, const btVector3& aabb_max, int shape_type,
+                                 void* user, int group, int mask, btDispatcher* dispatcher) override;
+  void destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override;
+  void setAabb(btBroadphaseProxy* proxy, const btVector3& aabb_min, const btVector3& aabb_max,
+               btDispatcher* dispatcher) override;
+  void getAabb(btBroadphaseProxy* proxy, btVector3& aabb_min, btVector3& aabb_max) const override;
+
+  /// All boxes, one after the other: these two take time that grows with their number.
+  void rayTest(const btVector3& from, const btVector3& to, btBroadphaseRayCallback& callback,
+               const btVector3& aabb_min = {0, 0, 0}, const btVector3& aabb_max = {0, 0, 0}) override;
+  void aabbTest(const btVector3& aabb_min, const btVector3& aabb_max,
+                btBroadphaseAabbCallback& callback) override;
+
+  void calculateOverlappingPairs(btDispatcher* dispatcher) override;
+  btOverlappingPairCache* getOverlappingPairCache() override { return &pairs_; }
+  const btOverlappingPairCache* getOverlappingPairCache() const override { return &pairs_; }
+  void getBroadphaseAabb(btVector3& aabb_min, btVector3& aabb_max) const override;
+  void printStats() override {}
+
+ private:
+  /// A body of the broadphase, or a place for the next one.
+  struct Proxy : btBroadphaseProxy {
+    static constexpr std::size_t kNowhere = ~std::size_t{0};
+
+    cellsweep::BodyId id = 0;
+    bool is_there = false;
+    bool is_told = false;          // to the broadphase
+    std::size_t place = kNowhere;  // among those that moved
+  };
+
+  Proxy& take_proxy();
+  void forget_move(Proxy& proxy);
+  cellsweep::Status tell_changes();
+  cellsweep::Status tell_removed();
+  cellsweep::Status tell_created();
+  cellsweep::Status tell_moved();
+  cellsweep::Status tell_filters();
+  cellsweep::BodyFilter filter_of(const Proxy& proxy) const;
+
+  cellsweep::Broadphase broadphase_;
+  cellsweep::Status status_;
+  btHashedOverlappingPairCache pairs_;
+  bool callback_decides_ = false;        // the pair cache's, when filters were last told
+  std::deque<Proxy> proxies_;            // by id; they stay where they are
+  std::vector<cellsweep::BodyId> free_;  // ids
+  std::vector<cellsweep::BodyId> gone_;  // ids that are free when the next update has succeeded
+  // What the next update is to be told, by id.
+  std::vector<cellsweep::BodyId> removed_;
+  std::vector<cellsweep::BodyId> created_;
+  std::vector<cellsweep::BodyId> moved_;
+  std::vector<cellsweep::Aabb> moved_boxes_;
+  // Of one call.
+  std::vector<cellsweep::BodyId> ids_;
+  std::vector<cellsweep::Aabb> boxes_;
+  std::vector<cellsweep::BodyFilter> filters_;
+};
