@@ -22,7 +22,7 @@ struct PeerModeInfo {
   std::string_view name;
   std::string_view title;  ///< for a person
   PeerMode mode;
-  std::optional<double> moving;       ///< share of the bodies; none: the scene's own
+  std::optional<double> moving;  ///< share of the bodies; none: the scene's own
   /// With 1,000, 10,000, 100,000 and 1,000,000 bodies. An engine that puts off work does it every 8 to 12.
   std::array<std::size_t, 4> frames;
 };
