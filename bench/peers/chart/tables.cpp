@@ -103,7 +103,8 @@ std::string headline_markdown(const PeerResults& results) {
 
 std::string cells_markdown(const PeerResults& results) {
   std::string table =
-      "| scene | bodies | mode | pairs | `stream` | median, 99 % | best other | its time | median, 99 % | ratio "
+      "| scene | bodies | mode | pairs | `stream` | median, 99 % | best other | its time | median, 99 % | "
+      "ratio "
       "| `stream` / memory |\n"
       "|---|--:|---|--:|--:|--:|---|--:|--:|--:|--:|\n";
   for (const CellRatio& ratio : ratios_of(results)) {
@@ -131,8 +132,9 @@ std::string tails_markdown(const PeerResults& results) {
 }
 
 std::string times_csv(const PeerResults& results) {
-  std::string csv = text("# ", results.machine, "\n",
-                         "scene,bodies,mode,peer,seconds,median,p99,spread,pairs,missing,extra,over_stream\n");
+  std::string csv =
+      text("# ", results.machine, "\n",
+           "scene,bodies,mode,peer,seconds,median,p99,spread,pairs,missing,extra,over_stream\n");
   for (const auto& [cell, times] : results.cells) {
     const auto stream = times.find("stream");
     for (const auto& [peer, time] : times) {
