@@ -97,7 +97,7 @@ void CandidateList::list_pairs_of(Crew& crew, const std::uint8_t* changed, Array
   std::size_t size = counts[0];
   for (unsigned worker = 1; worker < crew.active(); ++worker) {
     const SlotPair* const from = listed.data() + Share::of(pairs_.size(), worker, crew.active()).first;
-    std::memmove(listed.data() + size, from, counts[worker] * sizeof(SlotPair));
+    if (counts[worker] > 0) std::memmove(listed.data() + size, from, counts[worker] * sizeof(SlotPair));
     size += counts[worker];
   }
   listed.shrink(size);
