@@ -82,11 +82,6 @@ struct Start {
   std::size_t ended = 0;
 };
 
-template <class AnyPair>
-std::size_t count_below(std::span<const AnyPair> pairs, const AnyPair& pair) {
-  return static_cast<std::size_t>(std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin());
-}
-
 }  // namespace
 
 template <class AnyPair>

@@ -2,6 +2,7 @@
 /// Ascending lists of pairs: what differs between two, and how one becomes the next.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -19,6 +20,12 @@ struct PairNote {
 };
 
 // `AnyPair` is Pair or SlotPair. Lists are ascending.
+
+/// How many pairs of a list are below this one.
+template <class AnyPair>
+std::size_t count_below(std::span<const AnyPair> pairs, const AnyPair& pair) {
+  return static_cast<std::size_t>(std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin());
+}
 
 /// What differs between two lists. Pairs of the numbers in `gone`, ascending, end and begin though they are
 /// in both.

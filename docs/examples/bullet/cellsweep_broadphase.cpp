@@ -145,7 +145,8 @@ void CellsweepBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
     Proxy& other = proxies_[pair.b];
     if (one.is_there && other.is_there) pairs_.removeOverlappingPair(&one, &other, dispatcher);
   }
-  for (const cellsweep::Pair& pair : changes->began)
+  // The cache keeps a pair that it has.
+  for (const cellsweep::Pair& pair : std::exchange(offers_all_, false) ? broadphase_.pairs() : changes->began)
     pairs_.addOverlappingPair(&proxies_[pair.a], &proxies_[pair.b]);
   free_.insert(free_.end(), gone_.begin(), gone_.end());
   gone_.clear();
@@ -177,7 +178,11 @@ Status CellsweepBroadphase::tell_filters() {
     filters_.push_back(filter_of(proxy));
   }
   Status status = broadphase_.set_filters(ids_, filters_);
-  if (!status.ok()) callback_decides_ = !callback_decides;
+  if (status.ok()) {
+    offers_all_ = true;
+  } else {
+    callback_decides_ = !callback_decides;
+  }
   return status;
 }
 

@@ -79,6 +79,7 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
   cellsweep::Status status_;
   btHashedOverlappingPairCache pairs_;
   bool callback_decides_ = false;        // the pair cache's, when filters were last told
+  bool offers_all_ = false;              // what one way to decide refused, another may allow
   std::deque<Proxy> proxies_;            // by id; they stay where they are
   std::vector<cellsweep::BodyId> free_;  // ids
   std::vector<cellsweep::BodyId> gone_;  // ids that are free when the next update has succeeded

@@ -181,6 +181,18 @@ TEST_F(ProxiesOfBullet, MeetWhereACallbackSaysSo) {
   EXPECT_EQ(pairs(), 4);
 }
 
+TEST_F(ProxiesOfBullet, MeetByGroupsAgainWhenACallbackIsTakenAway) {
+  EqualClients equal;
+  for (int i = 0; i < 4; ++i) {
+    add(0);
+    *clients_.back() = i / 2;
+  }
+  broadphase_.getOverlappingPairCache()->setOverlapFilterCallback(&equal);
+  EXPECT_EQ(pairs(), 2);
+  broadphase_.getOverlappingPairCache()->setOverlapFilterCallback(nullptr);
+  EXPECT_EQ(pairs(), 6) << "those that it refused, too";
+}
+
 TEST_F(ProxiesOfBullet, MayGoBeforeAnybodyHeardOfThemAndTheirPlacesAreTakenAgain) {
   btBroadphaseProxy* const one = add(0);
   btBroadphaseProxy* const other = add(0);

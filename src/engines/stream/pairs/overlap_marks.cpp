@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/pair_changes.h"
 #include "base/tuning.h"
 #include "geometry/box_lanes.h"
 
@@ -13,10 +14,6 @@ namespace cellsweep::stream {
 namespace {
 
 constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
-
-std::size_t count_below(std::span<const SlotPair> pairs, const SlotPair& pair) {
-  return static_cast<std::size_t>(std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin());
-}
 
 /// The candidates before, of which some ended, and the ones that began, walked along in step with those now.
 class Walk {

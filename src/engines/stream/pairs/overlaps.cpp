@@ -58,8 +58,7 @@ SlotPairChanges Overlaps::change_candidates(const BodyChanges& changes,
                                             std::span<const FatBoxChange> fat_changes,
                                             const CellTree& cells) {
   if (!are_pairs_) repair_marks(changes);
-  make_room(fresh_, changes.boxes.size());
-  fresh_.resize(changes.boxes.size(), 0);
+  grow_fresh(changes);
   mark_fresh(fat_changes, 1);
   const SlotPairChanges found = list_.change(crew_, cells.touched(), fresh_.data());
   mark_fresh(fat_changes, 0);
@@ -119,8 +118,7 @@ FoundPairs Overlaps::end_all(const BodyChanges& changes) {
 }
 
 void Overlaps::mark_fresh(const BodyChanges& changes, std::uint8_t mark) {
-  make_room(fresh_, changes.boxes.size());
-  fresh_.resize(changes.boxes.size(), 0);
+  grow_fresh(changes);
   for (const Slot slot : changes.removed) fresh_[slot] = mark;
   for (const Slot slot : changes.moved) fresh_[slot] = mark;
   for (const Slot slot : changes.inserted) fresh_[slot] = mark;
@@ -128,6 +126,11 @@ void Overlaps::mark_fresh(const BodyChanges& changes, std::uint8_t mark) {
 
 void Overlaps::mark_fresh(std::span<const FatBoxChange> fat_changes, std::uint8_t mark) {
   for (const FatBoxChange& change : fat_changes) fresh_[change.slot] = mark;
+}
+
+void Overlaps::grow_fresh(const BodyChanges& changes) {
+  make_room(fresh_, changes.boxes.size());
+  fresh_.resize(changes.boxes.size(), 0);
 }
 
 std::size_t Overlaps::bytes() const {

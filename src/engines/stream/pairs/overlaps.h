@@ -64,6 +64,7 @@ class Overlaps {
   /// What the marks say of the update before.
   enum class Marks { all_overlap, true_of_it, stale };
 
+  void grow_fresh(const BodyChanges& changes);
   void mark_fresh(const BodyChanges& changes, std::uint8_t mark);
   void mark_fresh(std::span<const FatBoxChange> fat_changes, std::uint8_t mark);
   void repair_marks(const BodyChanges& changes);
