@@ -7,8 +7,24 @@
 
 namespace cellsweep {
 
-/// Ascending. A bucket for each, more or less: most buckets get one or two, unless the numbers crowd
-/// together; those that get many are compared. Throws std::bad_alloc and has done nothing then.
+/// Ascending, by radix sort: all bits where they are few, else so many of the upper ones as tell nearly all
+/// keys apart, after which a few neighbours are the wrong way round. Keys that crowd together are sorted by
+/// all their bits. The keys are in `keys` afterwards or in `spare`, which is as long; returns where.
+std::span<std::uint64_t> sort_keys(std::span<std::uint64_t> keys, std::span<std::uint64_t> spare);
+
+/// How many bits the two numbers have that a key is made of, the first above the second.
+struct KeyBits {
+  unsigned first;
+  unsigned second;
+
+  unsigned all() const { return first + second; }
+};
+
+/// The same of such keys, several of which may have the first number in common.
+std::span<std::uint64_t> sort_keys(std::span<std::uint64_t> keys, std::span<std::uint64_t> spare,
+                                   KeyBits bits);
+
+/// The same in place. Throws std::bad_alloc and has done nothing then.
 void sort_keys(std::span<std::uint64_t> keys);
 
 }  // namespace cellsweep

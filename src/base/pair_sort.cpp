@@ -14,80 +14,61 @@ namespace {
 
 using Key = std::uint64_t;
 using tuning::kBuckets;
-using tuning::kCounters;
-using tuning::kFewKeys;
 using tuning::kNarrowest;
 using tuning::kOneStep;
 
-template <class AnyPair>
-void insertion_sort(AnyPair* pairs, std::size_t count) {
-  for (std::size_t i = 1; i < count; ++i) {
-    const AnyPair pair = pairs[i];
-    std::size_t place = i;
-    for (; place > 0 && pairs[place - 1].b > pair.b; --place) pairs[place] = pairs[place - 1];
-    pairs[place] = pair;
-  }
-}
-
-// Pairs that have their first id in common.
-template <class AnyPair>
-void sort_by_second(AnyPair* pairs, std::size_t count) {
-  if (count <= kFewKeys) return insertion_sort(pairs, count);
-  std::sort(pairs, pairs + count, [](const AnyPair& one, const AnyPair& other) { return one.b < other.b; });
-}
-
-// Far apart first ids.
-template <class AnyPair>
-void sort_by_keys(std::span<Key> keys, AnyPair* sorted) {
-  sort_keys(keys);
-  std::transform(keys.begin(), keys.end(), sorted, pair_of<AnyPair>);
-}
-
-// Counts the first ids, which are `range` numbers from `low` on, then puts every pair where it belongs.
-template <class AnyPair>
-void sort_by_counting(std::span<const Key> keys, std::uint64_t low, std::uint64_t range, AnyPair* sorted) {
-  std::array<std::uint32_t, kCounters> place;
-  std::fill_n(place.begin(), range, 0);
-  for (const Key key : keys) ++place[(key >> 32) - low];
-  std::uint32_t sum = 0;
-  for (std::uint64_t i = 0; i < range; ++i) {
-    const std::uint32_t count = place[i];
-    place[i] = sum;
-    sum += count;
-  }
-  for (const Key key : keys) sorted[place[(key >> 32) - low]++] = pair_of<AnyPair>(key);
-  std::uint32_t first = 0;
-  for (std::uint64_t i = 0; i < range; ++i) {
-    if (place[i] - first > 1) sort_by_second(sorted + first, place[i] - first);
-    first = place[i];
-  }
-}
-
+/// The numbers that some bodies have.
 struct Range {
-  std::uint64_t low = ~std::uint64_t{0};
-  std::uint64_t high = 0;
+  std::uint32_t low = ~std::uint32_t{0};
+  std::uint32_t high = 0;
 
-  void include(Key key) {
-    low = std::min(low, key >> 32);
-    high = std::max(high, key >> 32);
+  void include(std::uint32_t number) {
+    low = std::min(low, number);
+    high = std::max(high, number);
   }
-  std::uint64_t size() const { return high - low + 1; }
+  void include(const Range& other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
+  std::uint64_t size() const { return std::uint64_t{high} - low + 1; }
+  unsigned bits() const { return static_cast<unsigned>(std::bit_width(high - low)); }
 };
 
-/// Keys whose first ids are known to lie in `range`.
+/// Of the first bodies and of the second ones.
+struct Ranges {
+  Range first;
+  Range second;
+
+  void include(Key key) {
+    first.include(static_cast<std::uint32_t>(key >> 32));
+    second.include(static_cast<std::uint32_t>(key));
+  }
+  KeyBits bits() const { return {first.bits(), second.bits()}; }
+  /// The key in that many bits; keeps the order.
+  Key narrowed(Key key) const {
+    return ((key >> 32) - first.low) << second.bits() | (static_cast<std::uint32_t>(key) - second.low);
+  }
+  Key widened(Key key) const {
+    const Key above = key >> second.bits();
+    const Key below = key & ((Key{1} << second.bits()) - 1);
+    return (above + first.low) << 32 | (below + second.low);
+  }
+};
+
+/// `spare` is as long.
 template <class AnyPair>
-void sort_in_range(std::span<Key> keys, const Range& range, AnyPair* sorted) {
-  const bool is_dense = range.size() <= kCounters && range.size() <= 16 * keys.size();
-  if (keys.size() > kFewKeys && is_dense) return sort_by_counting(keys, range.low, range.size(), sorted);
-  sort_by_keys(keys, sorted);
+void sort_in_ranges(std::span<Key> keys, std::span<Key> spare, const Ranges& ranges, AnyPair* sorted) {
+  for (Key& key : keys) key = ranges.narrowed(key);
+  const std::span<const Key> narrowed = sort_keys(keys, spare, ranges.bits());
+  std::ranges::transform(narrowed, sorted, [&](Key key) { return pair_of<AnyPair>(ranges.widened(key)); });
 }
 
 template <class AnyPair>
-void sort_bucket(std::span<Key> keys, AnyPair* sorted) {
-  if (keys.size() <= kFewKeys) return sort_by_keys(keys, sorted);
-  Range range;
-  for (const Key key : keys) range.include(key);
-  sort_in_range(keys, range, sorted);
+void sort_bucket(std::span<Key> keys, Array<Key>& spare, AnyPair* sorted) {
+  Ranges ranges;
+  for (const Key key : keys) ranges.include(key);
+  spare.renew(keys.size());
+  sort_in_ranges(keys, spare.view(), ranges, sorted);
 }
 
 /// The keys of several buffers cut into buckets of equally many first ids, by all workers.
@@ -123,13 +104,10 @@ class Distribution {
     std::vector<Range> ranges(crew_.active());
     crew_.run([&](unsigned worker) {
       Range range;
-      for_each_key(worker, [&](Key key) { range.include(key); });
+      for_each_key(worker, [&](Key key) { range.include(static_cast<std::uint32_t>(key >> 32)); });
       ranges[worker] = range;
     });
-    for (const Range& range : ranges) {
-      range_.low = std::min(range_.low, range.low);
-      range_.high = std::max(range_.high, range.high);
-    }
+    for (const Range& range : ranges) range_.include(range);
   }
 
   std::size_t bucket_of(Key key) const { return ((key >> 32) - range_.low) >> shift_; }
@@ -170,22 +148,31 @@ class Distribution {
   std::array<std::size_t, kBuckets + 1> first_{};
 };
 
-Range gather(KeyParts parts, Array<Key>& scratch) {
-  Range range;
-  Key* end = scratch.data();
+Ranges gather(KeyParts parts, std::span<Key> keys) {
+  Ranges ranges;
+  Key* end = keys.data();
   for (const std::span<const Key> part : parts) {
     for (const Key key : part) {
-      range.include(key);
+      ranges.include(key);
       *end++ = key;
     }
   }
-  return range;
+  return ranges;
+}
+
+template <class AnyPair>
+void sort_in_one_step(KeyParts parts, std::size_t total, Array<Key>& scratch, AnyPair* sorted) {
+  scratch.renew(2 * total);
+  const std::span<Key> keys = scratch.view().first(total);
+  const Ranges ranges = gather(parts, keys);
+  sort_in_ranges(keys, scratch.view().last(total), ranges, sorted);
 }
 
 template <class AnyPair>
 void sort_buckets(Crew& crew, Distribution& distribution, AnyPair* sorted) {
-  crew.for_each(kBuckets, 8, [&](unsigned, std::size_t bucket) {
-    sort_bucket(distribution.bucket(bucket), sorted + distribution.first(bucket));
+  std::vector<Array<Key>> spares(crew.active());
+  crew.for_each(kBuckets, 8, [&](unsigned worker, std::size_t bucket) {
+    sort_bucket(distribution.bucket(bucket), spares[worker], sorted + distribution.first(bucket));
   });
 }
 
@@ -196,11 +183,7 @@ void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array
   const std::size_t total = count_keys(parts);
   sorted.renew(total);
   if (total == 0) return;
-  if (total <= kOneStep) {
-    scratch.renew(total);
-    const Range range = gather(parts, scratch);
-    return sort_in_range(scratch.view(), range, sorted.data());
-  }
+  if (total <= kOneStep) return sort_in_one_step(parts, total, scratch, sorted.data());
   Distribution distribution(crew, parts, scratch);
   distribution.run(total);
   sort_buckets(crew, distribution, sorted.data());

@@ -12,6 +12,9 @@
 namespace cellsweep {
 namespace {
 
+/// A caller that moves so few at a time will do so again: every one of them is looked up.
+constexpr std::size_t kFewMoves = 32;
+
 /// Bodies as the last update saw them, whatever became of their ids since.
 class SeenBodies {
  public:
@@ -132,6 +135,17 @@ Status Bodies::move(Crew& crew, std::span<const BodyId> ids, std::span<const Aab
 }
 
 bool Bodies::check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes) {
+  if (ids.size() <= kFewMoves) table_.make_table();
+  run_checks(crew, ids, boxes);
+  const auto all_checks = std::span(checks_).first(crew.active());
+  if (std::ranges::any_of(all_checks, &MoveCheck::needs_table)) {
+    table_.make_table();
+    run_checks(crew, ids, boxes);
+  }
+  return std::ranges::all_of(all_checks, &MoveCheck::good);
+}
+
+void Bodies::run_checks(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes) {
   checks_.resize(crew.workers());
   if (moved_.size() < ids.size()) moved_.resize(ids.size());
   const HeldBodies held{table_, boxes_};
@@ -139,8 +153,6 @@ bool Bodies::check_moves(Crew& crew, std::span<const BodyId> ids, std::span<cons
     const Share share = Share::of(ids.size(), worker, crew.active());
     checks_[worker].run(held, ids, boxes, share, moved_.data());
   });
-  return std::all_of(checks_.begin(), checks_.begin() + crew.active(),
-                     [](const MoveCheck& check) { return check.good(); });
 }
 
 MovedBodies Bodies::checked_moves(const Crew& crew, std::span<const Aabb> boxes) const {

@@ -66,6 +66,7 @@ class Bodies {
  private:
   Status check_room(std::string_view engine, const Capacity& capacity, std::size_t more) const;
   bool check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
+  void run_checks(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
   void set_filter(Slot slot, const BodyFilter& filter);
   MovedBodies checked_moves(const Crew& crew, std::span<const Aabb> boxes) const;
 

@@ -49,9 +49,23 @@ void IdTable::grow_direct(std::span<const BodyId> ids) {
   direct_.resize(entries, kNoSlot);
 }
 
+void IdTable::make_table() {
+  if (listed_.empty()) return;
+  sparse_.reserve(ids_.size());
+  sparse_.insert_run(ids_, 0);
+  listed_ = ListedIds();
+}
+
+// Many of nobody's ids, all of them far apart.
+bool IdTable::can_be_listed(std::span<const BodyId> ids) const {
+  return ids_.empty() && direct_.empty() && ids.size() >= tuning::kListedIds;
+}
+
 void IdTable::reserve_for(std::span<const BodyId> ids) {
+  make_table();
   grow_direct(ids);
   make_room(ids_, ids_.size() + ids.size());
+  if (can_be_listed(ids)) return;
   const auto is_sparse_id = [&](BodyId id) { return id >= direct_.size(); };
   const auto sparse = direct_.empty()
                           ? ids.size()
@@ -132,6 +146,7 @@ void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
 // Maps all ids to the slots that they will get, or none.
 bool IdTable::map_all(std::span<const BodyId> ids) {
   if (map_run(ids)) return true;
+  if (can_be_listed(ids)) return listed_.list(ids);
   if (direct_.empty() && free_.empty()) {
     const std::size_t mapped = sparse_.insert_run(ids, next_slot(0));
     if (mapped == ids.size()) return true;
@@ -174,6 +189,7 @@ void IdTable::choose_ids(std::span<BodyId> ids) const {
 }
 
 void IdTable::reserve_removals(std::size_t count) {
+  make_table();
   make_room(removed_, removed_.size() + count);
   make_room(free_, free_.size() + removed_.size() + count);
 }
@@ -230,7 +246,7 @@ IdTable IdTable::renumbered(Vector<Slot>& before) const {
 
 std::size_t IdTable::bytes() const {
   return (ids_.capacity() + direct_.capacity() + free_.capacity() + removed_.capacity()) * sizeof(BodyId) +
-         sparse_.bytes();
+         sparse_.bytes() + listed_.bytes();
 }
 
 }  // namespace cellsweep

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "base/memory/array.h"
+#include "broadphase/bodies/listed_ids.h"
 #include "broadphase/bodies/sparse_ids.h"
 #include "cellsweep/engine/slots.h"
 #include "cellsweep/pair.h"
@@ -25,8 +26,14 @@ class IdTable {
   /// The slot of a body, or kNoSlot.
   Slot find(BodyId id) const {
     if (id < direct_.size() && direct_[id] != kNoSlot) return direct_[id];
-    return sparse_.find(id);
+    return listed_.empty() ? sparse_.find(id) : listed_.find(id);
   }
+
+  /// True when find() is slow, as it is after insert() of one large batch of scattered ids until a table of
+  /// them is made.
+  bool is_listed() const { return !listed_.empty(); }
+  /// Makes that table, if it is not there. Throws std::bad_alloc, and nothing has changed.
+  void make_table();
 
   /// Has the memory ready in which find() will look.
   void prefetch(BodyId id) const {
@@ -41,7 +48,7 @@ class IdTable {
   /// where nobody has them.
   void choose_ids(std::span<BodyId> ids) const;
 
-  /// Makes room for removing so many: remove() and release() take no memory then.
+  /// Makes room for removing so many: remove(), renew_slot() and release() take no memory then.
   void reserve_removals(std::size_t count);
 
   /// Gives a body that is held another slot, as if it had been removed and inserted again; returns it. Takes
@@ -81,6 +88,7 @@ class IdTable {
 
  private:
   void reserve_for(std::span<const BodyId> ids);
+  bool can_be_listed(std::span<const BodyId> ids) const;
   void grow_direct(std::span<const BodyId> ids);
   bool map(BodyId id, Slot slot);
   void unmap(BodyId id);
@@ -100,7 +108,8 @@ class IdTable {
   std::uint64_t version_ = 0;
   Vector<BodyId> ids_;
   Vector<Slot> direct_;   // slots of ids below its size
-  SparseIds sparse_;      // and of the others
+  SparseIds sparse_;      // and of the others,
+  ListedIds listed_;      // or all of them
   Vector<Slot> free_;     // the last is given out first
   Vector<Slot> removed_;  // until release()
 };

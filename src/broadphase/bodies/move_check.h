@@ -28,6 +28,8 @@ class MoveCheck {
 
   /// No id is unknown, no box invalid. When false, the rest means nothing.
   bool good() const { return good_; }
+  /// It is not good() only because ids were to be looked up one by one, for which there is no table.
+  bool needs_table() const { return needs_table_; }
   /// Every box is canonical as it is.
   bool clean() const { return clean_; }
   /// Every body is at rest and is given the box that it has.
@@ -48,6 +50,7 @@ class MoveCheck {
   bool look_up(const HeldBodies& held, std::span<const BodyId> ids, Slot* slots);
 
   bool good_ = true;
+  bool needs_table_ = false;
   bool clean_ = true;
   bool ascends_ = true;
   bool nobody_moves_ = true;

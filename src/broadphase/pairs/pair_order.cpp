@@ -1,9 +1,7 @@
 #include "broadphase/pairs/pair_order.h"
 
 #include <algorithm>
-#include <vector>
-
-#include "base/tuning.h"
+#include <utility>
 
 namespace cellsweep {
 namespace {
@@ -23,12 +21,7 @@ void PairOrder::name_pairs(Crew& crew, const IdTable& table, std::span<const Slo
     if (count == 0) return copy_named(table, ascending, pairs);
     return sort_in_slot_order(crew, table, ascending, more, pairs);
   }
-  // Ranks cost something for each body, when they are not known.
-  const std::size_t total = ascending.size() + count;
-  const bool few = total * tuning::kBodiesOfChange < table.slot_count();
-  if (few || (total < table.slot_count() && !ranks_.are_fresh(table)))
-    return sort_by_ids(crew, table, ascending, more, pairs);
-  sort_by_ranks(crew, table, ascending, more, pairs);
+  sort_by_ids(crew, table, ascending, more, pairs);
 }
 
 void PairOrder::copy_named(const IdTable& table, std::span<const SlotPair> ascending, Array<Pair>& pairs) {
@@ -43,7 +36,7 @@ void PairOrder::sort_in_slot_order(Crew& crew, const IdTable& table, std::span<c
     sort_pairs(crew, more, scratch_, pairs);
   } else {
     list_keys(ascending, more, [](Slot slot) { return slot; });
-    const std::span<const std::uint64_t> all = keys_.view();
+    const std::span<const std::uint64_t> all = std::as_const(keys_).view();
     sort_pairs(crew, {&all, 1}, scratch_, pairs);
   }
   if (table.is_identical()) return;
@@ -53,28 +46,19 @@ void PairOrder::sort_in_slot_order(Crew& crew, const IdTable& table, std::span<c
 void PairOrder::sort_by_ids(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending,
                             KeyParts more, Array<Pair>& pairs) {
   list_keys(ascending, more, [&](Slot slot) { return table.id(slot); });
-  const std::span<const std::uint64_t> all = keys_.view();
+  const std::span<const std::uint64_t> all = std::as_const(keys_).view();
   sort_pairs(crew, {&all, 1}, scratch_, pairs);
-}
-
-void PairOrder::sort_by_ranks(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending,
-                              KeyParts more, Array<Pair>& pairs) {
-  ranks_.refresh(table);
-  list_keys(ascending, more, [&](Slot slot) { return ranks_.rank(slot); });
-  const std::span<const std::uint64_t> all = keys_.view();
-  sort_pairs(crew, {&all, 1}, scratch_, pairs);
-  for (Pair& pair : pairs.view()) pair = {ranks_.id(pair.a), ranks_.id(pair.b)};
 }
 
 // `number` is what bodies are sorted by.
 template <class Number>
 void PairOrder::list_keys(std::span<const SlotPair> ascending, KeyParts more, Number&& number) {
-  keys_.clear();
-  keys_.reserve(ascending.size() + count_keys(more));
-  for (const SlotPair& pair : ascending) keys_.push(key_of(number(pair.a), number(pair.b)));
+  keys_.renew(ascending.size() + count_keys(more));
+  std::uint64_t* to = keys_.data();
+  for (const SlotPair& pair : ascending) *to++ = key_of(number(pair.a), number(pair.b));
   for (const auto part : more) {
     for (const std::uint64_t key : part)
-      keys_.push(key_of(number(static_cast<Slot>(key >> 32)), number(static_cast<Slot>(key))));
+      *to++ = key_of(number(static_cast<Slot>(key >> 32)), number(static_cast<Slot>(key)));
   }
 }
 

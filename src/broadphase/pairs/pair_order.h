@@ -7,10 +7,8 @@
 
 #include "base/crew.h"
 #include "base/memory/array.h"
-#include "base/memory/list.h"
 #include "base/pair_sort.h"
 #include "broadphase/bodies/id_table.h"
-#include "broadphase/pairs/id_ranks.h"
 #include "cellsweep/engine/slots.h"
 
 namespace cellsweep {
@@ -22,7 +20,7 @@ class PairOrder {
   void name_pairs(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending, KeyParts more,
                   Array<Pair>& pairs);
 
-  std::size_t bytes() const { return ranks_.bytes() + keys_.bytes() + scratch_.bytes(); }
+  std::size_t bytes() const { return keys_.bytes() + scratch_.bytes(); }
 
  private:
   void copy_named(const IdTable& table, std::span<const SlotPair> ascending, Array<Pair>& pairs);
@@ -30,13 +28,10 @@ class PairOrder {
                           KeyParts more, Array<Pair>& pairs);
   void sort_by_ids(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending, KeyParts more,
                    Array<Pair>& pairs);
-  void sort_by_ranks(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending, KeyParts more,
-                     Array<Pair>& pairs);
   template <class Number>
   void list_keys(std::span<const SlotPair> ascending, KeyParts more, Number&& number);
 
-  IdRanks ranks_;
-  List<std::uint64_t> keys_;
+  Array<std::uint64_t> keys_;
   Array<std::uint64_t> scratch_;
 };
 

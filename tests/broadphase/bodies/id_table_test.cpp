@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/memory/starved.h"
+#include "base/tuning.h"
 #include "contract/random.h"
 
 namespace cellsweep {
@@ -456,6 +457,73 @@ TEST(IdTableWithoutMemory, IsAsItWasWhereverThatHappens) {
   EXPECT_GE(places, 4U);
   const auto room_to_remove = [](IdTable& table) { table.reserve_removals(100'000); };
   EXPECT_EQ(starve(make, room_to_remove, is_kept, is_kept), 2U);
+}
+
+/// So many ids from everywhere that they are listed, not put into a table.
+Ids many_scattered_ids() {
+  Ids ids(tuning::kListedIds + 100);
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<BodyId>((i + 1) * 2'654'435'761U);
+  return ids;
+}
+
+TEST(IdTable, OfManyScatteredIdsIsMadeWhenItIsAskedFor) {
+  const Ids ids = many_scattered_ids();
+  IdTable table = table_of(ids);
+  EXPECT_TRUE(table.is_listed());
+  const Contents listed = contents_of(table);
+  table.make_table();
+  EXPECT_FALSE(table.is_listed());
+  EXPECT_EQ(contents_of(table), listed);
+  for (Slot slot = 0; slot < ids.size(); ++slot) ASSERT_EQ(table.find(ids[slot]), slot);
+  EXPECT_EQ(table.find(5), kNoSlot);
+}
+
+TEST(IdTable, OfDenseOrOfFewIdsIsThereAtOnce) {
+  Ids dense(2 * tuning::kListedIds);
+  std::iota(dense.begin(), dense.end(), 7);
+  EXPECT_FALSE(table_of(dense).is_listed());
+  Ids few = many_scattered_ids();
+  few.resize(100);
+  EXPECT_FALSE(table_of(few).is_listed());
+}
+
+TEST(IdTable, OfListedIdsTakesMoreAndLosesSome) {
+  const Ids ids = many_scattered_ids();
+  IdTable more = table_of(ids);
+  EXPECT_THAT(insert(more, {1, 2}), ElementsAre(ids.size(), ids.size() + 1));
+  EXPECT_EQ(more.find(ids[50]), 50U);
+  EXPECT_EQ(more.find(2), ids.size() + 1);
+  IdTable fewer = table_of(ids);
+  remove(fewer, {ids[3], ids.back()});
+  EXPECT_EQ(fewer.find(ids[3]), kNoSlot);
+  EXPECT_EQ(fewer.find(ids[4]), 4U);
+  EXPECT_EQ(fewer.size(), ids.size() - 2);
+}
+
+TEST(IdTable, RefusesManyIdsOfWhichTwoAreAlike) {
+  Ids ids = many_scattered_ids();
+  ids.back() = ids[10];
+  IdTable table;
+  Vector<Slot> slots;
+  EXPECT_FALSE(table.insert(ids, slots));
+  EXPECT_EQ(contents_of(table), contents_of(IdTable()));
+  EXPECT_EQ(table.find(ids[0]), kNoSlot);
+  ids.back() = 5;
+  EXPECT_TRUE(table.insert(ids, slots));
+  EXPECT_FALSE(table.insert(Ids{ids[77]}, slots));
+  EXPECT_EQ(table.size(), ids.size());
+}
+
+TEST(IdTable, OfListedIdsHasChangedInNothingWithoutMemory) {
+  const Ids ids = many_scattered_ids();
+  const Contents before = contents_of(table_of(ids));
+  const auto is_kept = [&](const IdTable& table) { EXPECT_EQ(contents_of(table), before); };
+  EXPECT_GE(
+      starve([&] { return table_of(ids); }, [](IdTable& table) { table.make_table(); }, is_kept, is_kept),
+      1U);
+  EXPECT_GE(starve([&] { return table_of(ids); }, [](IdTable& table) { table.reserve_removals(3); }, is_kept,
+                   is_kept),
+            2U);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/tuning.h"
 #include "broadphase/bodies/shown.h"
 #include "contract/random.h"
 
@@ -214,6 +215,25 @@ TEST_F(MoveCheckTest, FindsEveryBodyOfRandomCalls) {
       expect_right(ids);
     }
   }
+}
+
+TEST_F(MoveCheckTest, AsksForTheTableOfListedBodiesOnlyToLookThemUp) {
+  Ids ids(tuning::kListedIds);
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<BodyId>((i + 1) * 2'654'435'761U);
+  hold(ids);
+  ASSERT_TRUE(table_.is_listed());
+  run(ids);
+  expect_right(ids);
+  EXPECT_FALSE(check_.needs_table());
+  std::ranges::reverse(ids);
+  slots_.clear();
+  run(ids);
+  EXPECT_FALSE(check_.good());
+  EXPECT_TRUE(check_.needs_table());
+  table_.make_table();
+  run(ids);
+  expect_right(ids);
+  EXPECT_FALSE(check_.needs_table());
 }
 
 }  // namespace
