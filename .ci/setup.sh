@@ -2,9 +2,9 @@
 # project's folder. Everything here speaks on standard error, so that standard output stays the program's.
 
 packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev nlohmann-json3-dev libgtest-dev
-  libgmock-dev libbenchmark-dev libembree-dev libpng-dev libglfw3-dev libepoxy-dev libimgui-dev)
+  libgmock-dev libbenchmark-dev libembree-dev libpng-dev libzip-dev libglfw3-dev libepoxy-dev libimgui-dev)
 packages_to_draw=(gnuplot-nox)
-packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev)
+packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy)
 packages_for_clang=(clang libclang-rt-14-dev)
 packages_for_style=(clang-format clang-tidy)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev)
@@ -18,8 +18,9 @@ explain_other_systems() {
   say "This script installs packages on Debian 12. Elsewhere, install by hand what these packages hold:"
   say "  $*"
   say "that is: a C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, CLI11 2.1, nlohmann-json 3.11, GoogleTest 1.12 and"
-  say "Google Benchmark 1.7; for pictures Embree 3 and libpng, for the window GLFW 3.3, libepoxy and Dear ImGui,"
-  say "for figures gnuplot, for the window's tests Xvfb, for those of job systems oneTBB, for the example in Bullet Bullet."
+  say "Google Benchmark 1.7; for pictures Embree 3 and libpng, for traces libzip, for the window GLFW 3.3, libepoxy and Dear ImGui,"
+  say "for figures gnuplot, for the window's tests Xvfb, for those of job systems oneTBB, for the example in Bullet Bullet,"
+  say "for Python's side of traces NumPy."
   say "Then run again with CELLSWEEP_SKIP_PACKAGES=1 in the environment."
 }
 

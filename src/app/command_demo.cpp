@@ -3,7 +3,7 @@
 #include "app/engine_flags.h"
 #include "app/output.h"
 #include "app/run_and_print.h"
-#include "cellsweep/world/recording.h"
+#include "cellsweep/world/frame_file.h"
 #include "cellsweep/world/scene.h"
 #include "report/interrupt.h"
 #include "report/quantile.h"
@@ -37,11 +37,10 @@ class Demo {
  private:
   Status run_recording() {
     if (file.empty()) return {};
-    const auto recording = read_recording(file);
+    const auto recording = read_frame_file(file);
     if (!recording) return recording.status();
-    return run_source(recording->bodies, [&]() -> Result<std::unique_ptr<FrameSource>> {
-      return make_recording_frames(*recording);
-    });
+    return run_source(recording->ids(),
+                      [&]() -> Result<std::unique_ptr<FrameSource>> { return recording->make_source(); });
   }
 
   Status run_source(std::size_t bodies, const SourceMaker& make_source) {

@@ -1,10 +1,14 @@
+#include <filesystem>
+#include <utility>
+
 #include "app/checks.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/scene_flags.h"
 #include "app/watched_frames.h"
 #include "base/text.h"
-#include "cellsweep/world/recording.h"
+#include "cellsweep/world/frame_file.h"
+#include "report/picture/picture.h"
 
 namespace cellsweep::app {
 namespace {
@@ -15,24 +19,42 @@ struct Record {
   std::string from;
   std::string out;
 
-  Result<Recording> make() const {
-    if (!from.empty()) return read_recording(from);
+  ExitCode run() const {
+    if (const Status status = check_ending(out, {".aabbs", ".npy", ".npz"}); !status.ok())
+      return complain(status);
+    const report::InterruptScope interrupts;
+    const auto written = from.empty() ? write_scene() : write_file();
+    if (!written) return complain(written.status());
+    print_text(text(out, ": ", written->ids(), " bodies, ", written->frames(), " frames\n"));
+    return end_with(kGood, "The file holds the frames until then.");
+  }
+
+ private:
+  Result<FrameFile> write_scene() const {
     const auto bounds = scene_bounds(scene.settings);
     if (!bounds) return bounds.status();
     auto source = make_scene_frames(scene.settings);
     if (!source) return source.status();
     WatchedFrames watched(**source, "record, frame", updates);
-    return record(watched, updates, *bounds);
+    return write(watched, updates, *bounds);
   }
 
-  ExitCode run() const {
-    if (const Status status = check_ending(out, {".aabbs", ".npy"}); !status.ok()) return complain(status);
-    const report::InterruptScope interrupts;
-    const auto recording = make();
-    if (!recording) return complain(recording.status());
-    if (const Status status = write_recording(*recording, out); !status.ok()) return complain(status);
-    print_text(text(out, ": ", recording->bodies, " bodies, ", recording->frames(), " frames\n"));
-    return end_with(kGood, "The file holds the frames until then.");
+  Result<FrameFile> write_file() const {
+    const auto file = read_frame_file(from);
+    if (!file) return file.status();
+    return write(*file->make_source(), file->frames(), report::world_of(*file));
+  }
+
+  Result<FrameFile> write(FrameSource& source, std::size_t frames, const Aabb& world) const {
+    if (std::filesystem::path(out).extension() == ".npz") {
+      Trace trace = record_trace(source, frames);
+      if (const Status status = write_trace(trace, out); !status.ok()) return status;
+      return FrameFile(std::move(trace));
+    }
+    Result<Recording> recording = record(source, frames, world);
+    if (!recording) return recording.status();
+    if (const Status status = write_recording(*recording, out); !status.ok()) return status;
+    return FrameFile(std::move(*recording));
   }
 };
 
@@ -41,10 +63,13 @@ struct Record {
 void add_record(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand("record", "Write a scene, or another recording, to a file");
   auto record = std::make_shared<Record>();
-  command->add_option("--out", record->out, "File to write: .aabbs or .npy")->required()->type_name("FILE");
+  command->add_option("--out", record->out, "File to write: .aabbs, .npy or .npz")
+      ->required()
+      ->type_name("FILE");
   auto* from = command->add_option("--from", record->from, "Recording to convert, instead of a scene")
                    ->type_name("FILE");
   record->scene.add_to(*command);
+  record->scene.add_filters_to(*command);
   command->add_option("--frames", record->updates, "Updates after frame 0")
       ->check(count())
       ->type_name("N")
@@ -53,6 +78,7 @@ void add_record(CLI::App& program, ExitCode& exit_code) {
   command->footer(
       "Examples:\n"
       "  cellsweep record --scene clustered --frames 60 --out clustered.aabbs\n"
+      "  cellsweep record --scene open-world --static --out open-world.npz\n"
       "  cellsweep record --from bench/scenes/bullet-pile-1024.aabbs --out pile.npy");
   command->callback([record, &exit_code] { exit_code = record->run(); });
 }

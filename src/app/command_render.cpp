@@ -7,7 +7,7 @@
 #include "app/output.h"
 #include "app/scene_flags.h"
 #include "base/text.h"
-#include "cellsweep/world/recording.h"
+#include "cellsweep/world/frame_file.h"
 #include "report/interrupt.h"
 #include "report/picture/picture.h"
 #include "report/progress.h"
@@ -44,10 +44,10 @@ struct Render {
       world_bounds = *bounds;
       return make_scene_frames(scene.settings);
     }
-    auto recording = read_recording(file);
+    const auto recording = read_frame_file(file);
     if (!recording) return recording.status();
     world_bounds = report::stage_of(*recording);
-    return make_recording_frames(std::move(*recording));
+    return recording->make_source();
   }
 
   static Status go_to(FrameSource& source, std::size_t& at, std::size_t frame) {

@@ -1,6 +1,6 @@
 #include "app/commands.h"
 #include "app/run_and_print.h"
-#include "cellsweep/world/recording.h"
+#include "cellsweep/world/frame_file.h"
 #include "report/progress.h"
 
 namespace cellsweep::app {
@@ -12,11 +12,10 @@ struct Replay {
   EngineFlags engines;
 
   ExitCode run() const {
-    const auto recording = read_recording(file);
+    const auto recording = read_frame_file(file);
     if (!recording) return complain(recording.status());
-    return run_and_print(engines, frames, recording->bodies, [&]() -> Result<std::unique_ptr<FrameSource>> {
-      return make_recording_frames(*recording);
-    });
+    return run_and_print(engines, frames, recording->ids(),
+                         [&]() -> Result<std::unique_ptr<FrameSource>> { return recording->make_source(); });
   }
 };
 
@@ -25,7 +24,9 @@ struct Replay {
 void add_replay(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand("replay", "Run a recorded scene");
   auto replay = std::make_shared<Replay>();
-  command->add_option("FILE", replay->file, "A recording: .aabbs, or .npy of shape (frames, bodies, 6)")
+  command
+      ->add_option("FILE", replay->file,
+                   "A recording: .aabbs, .npy of shape (frames, bodies, 6), or a .npz trace")
       ->required();
   replay->frames.add_to(*command, report::Progress::kOpenEnd, "all there are");
   replay->engines.add_to(*command, EngineFlags::Purpose::times);

@@ -6,7 +6,7 @@
 #include "app/engine_flags.h"
 #include "app/output.h"
 #include "app/scene_flags.h"
-#include "cellsweep/world/recording.h"
+#include "cellsweep/world/frame_file.h"
 #include "report/interrupt.h"
 #include "report/progress.h"
 #include "report/run_json.h"
@@ -26,9 +26,9 @@ struct Verify {
 
   Result<std::unique_ptr<FrameSource>> make_source() const {
     if (file.empty()) return make_scene_frames(scene.settings);
-    auto recording = read_recording(file);
+    const auto recording = read_frame_file(file);
     if (!recording) return recording.status();
-    return make_recording_frames(std::move(*recording));
+    return recording->make_source();
   }
 
   // A recording ends by itself, a scene never does.

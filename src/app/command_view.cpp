@@ -21,12 +21,13 @@ struct View {
 
   ExitCode run() {
     if (const Status status = check(); !status.ok()) return complain(status);
-    view::SimulationSettings settings{nullptr, scene.settings, engines.names().front(), engines.values()};
+    view::SimulationSettings settings{std::nullopt, scene.settings, engines.names().front(),
+                                      engines.values()};
     if (!file.empty()) {
-      auto recording = read_recording(file);
+      auto recording = read_frame_file(file);
       if (!recording) return complain(recording.status());
       recorded_frames = std::max<std::size_t>(1, recording->frames());
-      settings.recording = std::make_shared<const Recording>(std::move(*recording));
+      settings.recording = std::move(*recording);
     }
     auto simulation = view::Simulation::make(std::move(settings));
     if (!simulation) return complain(simulation.status());

@@ -13,7 +13,7 @@ namespace cellsweep::app {
 struct SceneFlags {
   void add_to(CLI::App& command);
 
-  /// Adds --static and --groups, for commands that hand filters to engines.
+  /// Adds --static and --groups, for commands to which filters matter.
   void add_filters_to(CLI::App& command);
 
   /// The flags that make this scene.

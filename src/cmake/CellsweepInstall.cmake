@@ -45,7 +45,7 @@ cellsweep_install_library(
   aabb.h broadphase.h engine engines.h executor.h export.h filter.h options.h pair.h statistics.h status.h stream_view.h
   vector_isa.h)
 if(TARGET cellsweep_world)
-  cellsweep_install_library(world cellsweep_world "cellsweep eigen3" "" pose.h world)
+  cellsweep_install_library(world cellsweep_world "cellsweep eigen3" "${CELLSWEEP_LIBZIP}" pose.h world)
 endif()
 if(TARGET cellsweep_cell)
   cellsweep_install_library(cell cellsweep_cell "cellsweep" " -lspu_emu -pthread -ldl" cell.h local_store.h pose.h)

@@ -33,7 +33,7 @@ Status Simulation::begin(const SimulationSettings& settings) {
   LiveScene* live = nullptr;
   Aabb bounds;
   if (settings.recording) {
-    source = make_recording_frames(*settings.recording);
+    source = settings.recording->make_source();
     bounds = report::stage_of(*settings.recording);
   } else if (follows_a_script(settings.scene)) {
     auto frames = make_scene_frames(settings.scene);

@@ -13,7 +13,7 @@
 #include "cellsweep/engines.h"
 #include "cellsweep/local_store.h"
 #include "cellsweep/stream_view.h"
-#include "cellsweep/world/recording.h"
+#include "cellsweep/world/frame_file.h"
 #include "cellsweep/world/scene.h"
 #include "report/frame_clock.h"
 #include "report/hand_over.h"
@@ -22,7 +22,7 @@
 namespace cellsweep::view {
 
 struct SimulationSettings {
-  std::shared_ptr<const Recording> recording{};  ///< instead of a scene
+  std::optional<FrameFile> recording{};  ///< instead of a scene
   SceneSettings scene;
   std::string engine = "stream";
   SettingValues settings{};  ///< of all engines that may come: each gets those that it has
@@ -52,7 +52,7 @@ class Simulation {
   /// with a recording, those of the scene.
   Status use_moving(double share);
 
-  bool is_recording() const { return settings_.recording != nullptr; }
+  bool is_recording() const { return settings_.recording.has_value(); }
   std::string source_name() const { return source_->name(); }
   const FrameSource& source() const { return *source_; }
   const Aabb& bounds() const { return bounds_; }

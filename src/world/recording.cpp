@@ -2,22 +2,23 @@
 
 #include <utility>
 
-#include "world/file_fault.h"
+#include "world/files/file_fault.h"
 #include "world/recording_check.h"
+#include "world/recording_frames.h"
 
 namespace cellsweep {
 namespace {
 
 class RecordingFrames final : public FrameSource {
  public:
-  explicit RecordingFrames(Recording recording) : recording_(std::move(recording)) {}
+  explicit RecordingFrames(std::shared_ptr<const Recording> recording) : recording_(std::move(recording)) {}
 
-  std::string name() const override { return recording_.name; }
-  std::span<const Aabb> boxes() const override { return recording_.frame(frame_); }
+  std::string name() const override { return recording_->name; }
+  std::span<const Aabb> boxes() const override { return recording_->frame(frame_); }
   std::span<const BodyId> moved() const override { return moved_; }
 
   bool advance() override {
-    if (frame_ + 1 >= recording_.frames()) return false;
+    if (frame_ + 1 >= recording_->frames()) return false;
     const std::span<const Aabb> before = boxes();
     ++frame_;
     find_moved(before, boxes());
@@ -32,7 +33,7 @@ class RecordingFrames final : public FrameSource {
     }
   }
 
-  Recording recording_;
+  std::shared_ptr<const Recording> recording_;
   std::size_t frame_ = 0;
   std::vector<BodyId> moved_;
 };
@@ -46,7 +47,11 @@ void append_frame(Recording& recording, std::span<const Aabb> boxes) {
 Result<Recording> record(FrameSource& source, std::size_t updates, const Aabb& world) {
   if (source.bodies_come_and_go()) {
     return bad_recording("the bodies of " + source.name() +
-                         " come and go, and a recording has the same bodies in all frames");
+                         " come and go, and a recording has the same bodies in all frames; "
+                         "a .npz file has room for that");
+  }
+  if (!source.filters().empty()) {
+    return bad_recording("a recording has no filters; a .npz file has room for those of " + source.name());
   }
   Recording recording;
   recording.name = source.name();
@@ -60,6 +65,10 @@ Result<Recording> record(FrameSource& source, std::size_t updates, const Aabb& w
 }
 
 std::unique_ptr<FrameSource> make_recording_frames(Recording recording) {
+  return make_recording_frames(std::make_shared<const Recording>(std::move(recording)));
+}
+
+std::unique_ptr<FrameSource> make_recording_frames(std::shared_ptr<const Recording> recording) {
   return std::make_unique<RecordingFrames>(std::move(recording));
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "recording_properties.h"
-#include "world/aabbs_file.h"
+#include "world/files/aabbs_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   cellsweep::check_reader({cellsweep::parse_aabbs, cellsweep::aabbs_bytes},

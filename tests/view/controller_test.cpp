@@ -15,7 +15,7 @@ using ::testing::IsEmpty;
 class Keys : public testing::Test {
  protected:
   static std::unique_ptr<Simulation> made(std::size_t bodies) {
-    return std::move(*Simulation::make({.recording = nullptr,
+    return std::move(*Simulation::make({.recording = std::nullopt,
                                         .scene = {.scene = "paper", .bodies = bodies, .moving = 0.1},
                                         .engine = "stream",
                                         .settings = {}}));
@@ -173,10 +173,8 @@ TEST_F(Keys, ThatAreForNothingDoNothing) {
 
 TEST_F(Keys, SayWhatARecordingDoesNotLetThemChange) {
   const Recording one{"one", "boxes", Aabb{{0, 0, 0}, {2, 2, 2}}, 1, {Aabb{{0, 0, 0}, {1, 1, 1}}}};
-  const auto recording = std::move(*Simulation::make({.recording = std::make_shared<const Recording>(one),
-                                                      .scene = {},
-                                                      .engine = "stream",
-                                                      .settings = {}}));
+  const auto recording = std::move(
+      *Simulation::make({.recording = FrameFile(one), .scene = {}, .engine = "stream", .settings = {}}));
   Controller controller(*recording);
   controller.press('B');
   EXPECT_THAT(controller.complaint(), HasSubstr("recording"));

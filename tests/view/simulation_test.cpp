@@ -19,7 +19,7 @@ using ::testing::SizeIs;
 constexpr std::size_t kMoreThanControlHolds = 5000;
 
 SimulationSettings scene(std::size_t bodies, double moving = 0.5) {
-  return {.recording = nullptr,
+  return {.recording = std::nullopt,
           .scene = {.scene = "paper", .bodies = bodies, .moving = moving},
           .engine = "stream",
           .settings = {}};
@@ -44,11 +44,11 @@ std::size_t right_pairs(const Simulation& simulation) {
 }
 
 /// Two boxes that meet in the second of three frames.
-std::shared_ptr<const Recording> meeting() {
+FrameFile meeting() {
   const Aabb still{{0, 0, 0}, {1, 1, 1}};
   const Aabb apart{{4, 0, 0}, {5, 1, 1}};
   const Aabb near{{1, 0, 0}, {2, 1, 1}};
-  return std::make_shared<const Recording>(Recording{
+  return FrameFile(Recording{
       "meeting", "boxes", Aabb{{0, 0, 0}, {6, 6, 6}}, 2, {still, apart, still, near, still, apart}});
 }
 

@@ -2,34 +2,13 @@
 
 #include <LinearMath/btAabbUtil2.h>
 
-#include <cmath>
-#include <limits>
 #include <utility>
+
+#include "proxy_box.h"
 
 using cellsweep::BodyFilter;
 using cellsweep::BodyId;
 using cellsweep::Status;
-
-namespace {
-
-// Where btScalar is double, boxes are rounded to the outside.
-float at_most(btScalar value) {
-  const auto rounded = static_cast<float>(value);
-  return rounded > value ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
-}
-
-float at_least(btScalar value) {
-  return -at_most(-value);
-}
-
-cellsweep::Aabb box_of(const btBroadphaseProxy& proxy) {
-  const btVector3& low = proxy.m_aabbMin;
-  const btVector3& high = proxy.m_aabbMax;
-  return {{at_most(low.x()), at_most(low.y()), at_most(low.z())},
-          {at_least(high.x()), at_least(high.y()), at_least(high.z())}};
-}
-
-}  // namespace
 
 CellsweepBroadphase::CellsweepBroadphase(cellsweep::Broadphase broadphase)
     : broadphase_(std::move(broadphase)) {}
@@ -214,11 +193,5 @@ Status CellsweepBroadphase::tell_moved() {
 }
 
 BodyFilter CellsweepBroadphase::filter_of(const Proxy& proxy) const {
-  if (callback_decides_) return {};
-  constexpr int kStatic = btBroadphaseProxy::StaticFilter;
-  const bool is_static =
-      proxy.m_collisionFilterGroup == kStatic && (proxy.m_collisionFilterMask & kStatic) == 0;
-  return {.category = static_cast<std::uint32_t>(proxy.m_collisionFilterGroup),
-          .mask = static_cast<std::uint32_t>(proxy.m_collisionFilterMask),
-          .is_static = is_static};
+  return callback_decides_ ? BodyFilter() : ::filter_of(proxy);
 }

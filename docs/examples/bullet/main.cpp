@@ -1,4 +1,5 @@
-// Cubes fall on a plane, in a world of Bullet whose broadphase is cellsweep's.
+// falling [TRACE.npz]: cubes fall on a plane, in a world of Bullet whose broadphase is cellsweep's. Leaves a
+// trace of what happened, for `cellsweep replay`.
 #include <btBulletDynamicsCommon.h>
 
 #include <cstdio>
@@ -6,8 +7,9 @@
 #include <vector>
 
 #include "cellsweep_broadphase.h"
+#include "world_recorder.h"
 
-int main() {
+int main(int count, char** arguments) {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   CellsweepBroadphase broadphase;
@@ -29,10 +31,13 @@ int main() {
   }
   for (const auto& body : bodies) world.addRigidBody(body.get());
 
+  WorldRecorder recorder;
   for (int step = 0; step < 300; ++step) {
     world.stepSimulation(1 / btScalar(60), 0);
-    if (!broadphase.status().ok()) {
-      std::puts(broadphase.status().message.c_str());
+    const cellsweep::Status recorded = recorder.record(world);
+    for (const cellsweep::Status& status : {broadphase.status(), recorded}) {
+      if (status.ok()) continue;
+      std::puts(status.message.c_str());
       return 1;
     }
     if (step % 60 == 59) {
@@ -42,4 +47,8 @@ int main() {
     }
   }
   for (const auto& body : bodies) world.removeRigidBody(body.get());
+  if (count < 2) return 0;
+  const cellsweep::Status status = write_trace(recorder.trace(), arguments[1]);
+  if (!status.ok()) std::puts(status.message.c_str());
+  return status.ok() ? 0 : 1;
 }

@@ -39,8 +39,8 @@ class CELLSWEEP_API FrameSource {
   /// last frame in which the body's box changed. Valid until advance().
   virtual std::span<const BodyPose> poses() const { return {}; }
 
-  /// The filters of the bodies, indexed as the boxes, the same in all frames; empty when all have the
-  /// default.
+  /// The filters of the bodies, indexed as the boxes; a body keeps the one that it came with. Empty when all
+  /// have the default. Valid until advance().
   virtual std::span<const BodyFilter> filters() const { return {}; }
 
   /// The bodies that were there in the frame before and whose box has changed since, ascending; empty at

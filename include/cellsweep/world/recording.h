@@ -50,7 +50,7 @@ CELLSWEEP_API Result<Recording> read_recording(const std::filesystem::path& path
 CELLSWEEP_API Status write_recording(const Recording& recording, const std::filesystem::path& path);
 
 /// Stores what a source gives: frame 0 and up to `updates` more. Errors: bad_input for a source whose bodies
-/// come and go.
+/// come and go or have filters; trace.h has room for these.
 CELLSWEEP_API Result<Recording> record(FrameSource& source, std::size_t updates, const Aabb& world);
 
 /// The frames of a recording. `moved()` lists the bodies whose six numbers differ from the frame before.

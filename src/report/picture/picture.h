@@ -9,8 +9,8 @@
 #include "cellsweep/aabb.h"
 #include "cellsweep/pose.h"
 #include "cellsweep/status.h"
+#include "cellsweep/world/frame_file.h"
 #include "cellsweep/world/frame_source.h"
-#include "cellsweep/world/recording.h"
 #include "report/picture/image.h"
 
 namespace cellsweep::report {
@@ -42,9 +42,12 @@ BodyPose shown_pose(const FrameSource& source, BodyId body);
 /// body's.
 Tableau tableau_of(const FrameSource& source, const Aabb& world);
 
+/// The world of a recording: what its file says, or the bounds of all its boxes.
+Aabb world_of(const FrameFile& file);
+
 /// The world of a recording for its pictures: its own, or, if it has walls, the bounds of all other boxes of
 /// all frames.
-Aabb stage_of(const Recording& recording);
+Aabb stage_of(const FrameFile& file);
 
 /// Traces a tableau. The same tableau gives the same pixels for any number of threads, and on every machine:
 /// only + − × ÷ √ on floats decide them. Errors: bad_option for settings out of range, or in a build without

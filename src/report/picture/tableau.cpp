@@ -31,6 +31,31 @@ bool is_wall(const Aabb& box, const Aabb& world) {
   return long_axes >= 2;
 }
 
+/// Of any number of boxes.
+struct Bounds {
+  static constexpr float kFar = std::numeric_limits<float>::max();
+  Aabb box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  std::size_t count = 0;
+
+  void include(const Aabb& other) {
+    ++count;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.min[axis] = std::min(box.min[axis], other.min[axis]);
+      box.max[axis] = std::max(box.max[axis], other.max[axis]);
+    }
+  }
+};
+
+template <class Visit>
+void for_each_box(const FrameFile& file, Visit&& visit) {
+  if (const Recording* recording = file.recording()) {
+    std::ranges::for_each(recording->boxes, visit);
+    return;
+  }
+  std::ranges::for_each(file.trace()->inserted_boxes, visit);
+  std::ranges::for_each(file.trace()->moved_boxes, visit);
+}
+
 std::vector<Pair> pairs_of(const FrameSource& source) {
   Broadphase engine;
   if (!insert_all(engine, source).ok() || !engine.update().ok()) return oracle_pairs(source);
@@ -66,21 +91,25 @@ BodyPose shown_pose(const FrameSource& source, BodyId body) {
   return source.poses().empty() ? pose_of(source.boxes()[body]) : source.poses()[body];
 }
 
-Aabb stage_of(const Recording& recording) {
-  constexpr float kFar = std::numeric_limits<float>::max();
-  Aabb bounds{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+Aabb world_of(const FrameFile& file) {
+  if (file.recording() != nullptr) return file.recording()->world;
+  Bounds bounds;
+  for_each_box(file, [&](const Aabb& box) { bounds.include(box); });
+  return bounds.count == 0 ? Aabb{} : bounds.box;
+}
+
+Aabb stage_of(const FrameFile& file) {
+  const Aabb world = world_of(file);
+  Bounds bounds;
   std::size_t walls = 0;
-  for (const Aabb& box : recording.boxes) {
-    if (is_wall(box, recording.world)) {
+  for_each_box(file, [&](const Aabb& box) {
+    if (is_wall(box, world)) {
       ++walls;
-      continue;
+    } else {
+      bounds.include(box);
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      bounds.min[axis] = std::min(bounds.min[axis], box.min[axis]);
-      bounds.max[axis] = std::max(bounds.max[axis], box.max[axis]);
-    }
-  }
-  return walls == 0 || walls == recording.boxes.size() ? recording.world : bounds;
+  });
+  return walls == 0 || bounds.count == 0 ? world : bounds.box;
 }
 
 }  // namespace cellsweep::report

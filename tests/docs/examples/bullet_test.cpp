@@ -16,6 +16,8 @@
 
 #include "bench/bullet/bullet_world.h"
 #include "cellsweep_broadphase.h"
+#include "report/oracle.h"
+#include "world_recorder.h"
 
 namespace {
 
@@ -118,6 +120,25 @@ TEST_P(WorldOfBullet, HasThePairsThatBulletsTreeFindsThroughAThousandFrames) {
     seen += expected.size();
   }
   EXPECT_GT(seen, static_cast<std::size_t>(3 * kFrames));
+}
+
+TEST_P(WorldOfBullet, LeavesATraceWithThePairsOfEveryFrame) {
+  BulletWorld world(GetParam(), 60, std::make_unique<CellsweepBroadphase>());
+  WorldRecorder recorder;
+  std::vector<std::size_t> expected;
+  for (int frame = 0; frame < 60; ++frame) {
+    if (frame % 4 == 1) world.spawn_cube();
+    if (frame % 4 == 3) world.remove(world.bodies().size() - 1);
+    world.step();
+    ASSERT_TRUE(recorder.record(world.dynamics()).ok());
+    expected.push_back(pairs_of(world.broadphase()).size());
+  }
+  const auto frames = make_trace_frames(std::make_shared<const cellsweep::Trace>(recorder.trace()));
+  EXPECT_TRUE(frames->bodies_come_and_go());
+  for (int frame = 0; frame < 60; ++frame) {
+    ASSERT_EQ(cellsweep::report::oracle_pairs(*frames).size(), expected[frame]) << "frame " << frame;
+    frames->advance();
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, WorldOfBullet,

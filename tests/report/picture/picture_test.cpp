@@ -135,10 +135,10 @@ TEST(Tableau, FramesWhatStandsBetweenTheWallsOfARecording) {
   recording.bodies = 2;
   recording.boxes = {
       {{0, -1, 0}, {10, 0, 10}}, {{4, 0, 4}, {5, 1, 5}}, {{0, -1, 0}, {10, 0, 10}}, {{6, 1, 4}, {7, 3, 5}}};
-  EXPECT_EQ(stage_of(recording), (Aabb{{4, 0, 4}, {7, 3, 5}}));
+  EXPECT_EQ(stage_of(FrameFile(recording)), (Aabb{{4, 0, 4}, {7, 3, 5}}));
   recording.bodies = 1;
   recording.boxes = {{{4, 0, 4}, {5, 1, 5}}};
-  EXPECT_EQ(stage_of(recording), kRoom);
+  EXPECT_EQ(stage_of(FrameFile(recording)), kRoom);
 }
 
 TEST(Png, StartsAsAPngFileAndIsTheSameForTheSamePicture) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "world/file_fault.h"
+#include "world/files/file_fault.h"
 
 namespace cellsweep {
 

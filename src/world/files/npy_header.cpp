@@ -1,10 +1,11 @@
-#include "world/npy_header.h"
+#include "world/files/npy_header.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
-#include "world/file_fault.h"
-#include "world/text_scanner.h"
+#include "world/files/file_fault.h"
+#include "world/files/text_scanner.h"
 
 namespace cellsweep {
 namespace {
@@ -14,21 +15,25 @@ using Bytes = std::span<const std::byte>;
 constexpr std::string_view kMagic = "\x93NUMPY";
 constexpr std::size_t kVersionOffset = 6;
 constexpr std::size_t kLengthOffset = 8;
-constexpr std::uint64_t kIds = std::uint64_t{1} << 32;
+
+/// A byte order, a kind of number, and its bytes.
+bool is_known_type(std::string_view type) {
+  constexpr std::string_view kBytes = "1248";
+  if (type.size() != 3 || kBytes.find(type[2]) == std::string_view::npos) return false;
+  if (type[0] != '<' && type[0] != '>' && type != "|b1" && type != "|u1" && type != "|i1") return false;
+  return type[1] == 'u' || type[1] == 'i' || type == "|b1" || (type[1] == 'f' && type[2] > '2');
+}
 
 Status parse_descr(TextScanner& scanner, NpyHeader& header) {
   scanner.skip_space();
-  const std::size_t begin = scanner.position();
+  header.type_offset = scanner.file_offset(scanner.position());
   std::string_view type;
   if (!scanner.take_string(type)) return scanner.expected("a string that names the type of the numbers");
-  const bool known = type == "<f4" || type == "<f8" || type == ">f4" || type == ">f8";
-  if (!known) {
-    return fault_at(scanner.file_offset(begin),
-                    "float32 or float64 of a stated byte order (\"<f4\", \"<f8\", \">f4\" or \">f8\")",
+  if (!is_known_type(type)) {
+    return fault_at(header.type_offset, "numbers of a stated byte order (\"<f4\", \">i8\" ...) or \"|b1\"",
                     quoted(type));
   }
-  header.order = type[0] == '<' ? ByteOrder::little : ByteOrder::big;
-  header.number_bytes = type[2] == '4' ? 4 : 8;
+  header.type = type;
   return {};
 }
 
@@ -44,36 +49,23 @@ Status parse_fortran_order(TextScanner& scanner) {
   return fault_at(scanner.file_offset(begin), "True or False", quoted(word));
 }
 
-/// A tuple of any length; the first three numbers go into `dimensions`.
-Status parse_tuple(TextScanner& scanner, std::array<std::uint64_t, 3>& dimensions, std::size_t& size) {
+Status parse_shape(TextScanner& scanner, NpyHeader& header) {
+  constexpr std::size_t kMostDimensions = 32;  // of NumPy
+  scanner.skip_space();
+  const std::size_t begin = scanner.position();
+  header.shape_offset = scanner.file_offset(begin);
   if (!scanner.take('(')) return scanner.expected("the '(' of a shape");
-  for (size = 0; !scanner.take(')'); ++size) {
-    if (size > 0 && !scanner.take(',')) return scanner.expected("',' or ')' in the shape");
-    if (size > 0 && scanner.take(')')) return {};
+  while (!scanner.take(')')) {
+    if (!header.shape.empty() && !scanner.take(',')) return scanner.expected("',' or ')' in the shape");
+    if (!header.shape.empty() && scanner.take(')')) break;
     std::uint64_t dimension = 0;
     if (!scanner.take_count(dimension)) {
       return scanner.expected("a number of 0 to 18446744073709551615 in the shape");
     }
-    if (size < dimensions.size()) dimensions[size] = dimension;
+    header.shape.push_back(dimension);
+    if (header.shape.size() > kMostDimensions) return scanner.expected("at most 32 dimensions");
   }
-  return {};
-}
-
-Status parse_shape(TextScanner& scanner, NpyHeader& header) {
-  scanner.skip_space();
-  const std::size_t begin = scanner.position();
-  std::array<std::uint64_t, 3> dimensions{};
-  std::size_t size = 0;
-  if (Status status = parse_tuple(scanner, dimensions, size); !status.ok()) return status;
-
-  const auto refuse = [&](std::string_view expected) {
-    return fault_at(scanner.file_offset(begin), expected, "shape " + quoted(scanner.text_from(begin)));
-  };
-  if (size != 3 || dimensions[2] != 6) return refuse("shape (frames, bodies, 6)");
-  if (dimensions[0] == 0) return refuse("at least one frame");
-  if (dimensions[1] > kIds) return refuse("no more bodies than 32-bit ids name, 4294967296");
-  header.frames = dimensions[0];
-  header.bodies = dimensions[1];
+  header.shape_text = scanner.text_from(begin);
   return {};
 }
 
@@ -162,18 +154,25 @@ Result<NpyHeader> parse_npy_header(std::span<const std::byte> file) {
   return header;
 }
 
-std::string npy_header_bytes(std::uint64_t frames, std::uint64_t bodies) {
-  // NumPy pads to a multiple of 64, which with two counts of 1 to 20 digits is always this one.
-  // next.
-  constexpr std::size_t kTotal = 128;
-  constexpr char kLength = kTotal - kLengthOffset - 2;
+std::string npy_header_bytes(std::string_view type, std::span<const std::uint64_t> shape) {
+  constexpr std::size_t kAligned = 64;
+  std::string dictionary = "{'descr': '" + std::string(type) + "', 'fortran_order': False, 'shape': (";
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    dictionary += (i > 0 ? ", " : "") + std::to_string(shape[i]);
+  }
+  dictionary += shape.size() == 1 ? ",), }" : "), }";
+  // NumPy leaves room for a first dimension of 21 digits, which arrays that grow have.
+  constexpr std::size_t kDigits = 21;
+  const std::size_t digits = shape.empty() ? kDigits : std::to_string(shape[0]).size();
+  dictionary.append(kDigits - std::min(digits, kDigits), ' ');
+  const std::size_t begin = kLengthOffset + 2;
+  const std::size_t total = (begin + dictionary.size() + 1 + kAligned - 1) / kAligned * kAligned;
+  dictionary.resize(total - begin - 1, ' ');
+  dictionary += '\n';
   std::string bytes(kMagic);
-  bytes += {'\x01', '\x00', kLength, '\x00'};
-  bytes += "{'descr': '<f4', 'fortran_order': False, 'shape': (" + std::to_string(frames) + ", " +
-           std::to_string(bodies) + ", 6), }";
-  bytes.resize(kTotal - 1, ' ');
-  bytes += '\n';
-  return bytes;
+  bytes += {'\x01', '\x00', static_cast<char>(dictionary.size() & 0xff),
+            static_cast<char>(dictionary.size() >> 8)};
+  return bytes + dictionary;
 }
 
 }  // namespace cellsweep

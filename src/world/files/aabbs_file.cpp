@@ -1,11 +1,11 @@
-#include "world/aabbs_file.h"
+#include "world/files/aabbs_file.h"
 
 #include <algorithm>
 #include <limits>
 #include <string_view>
 
-#include "world/bytes.h"
-#include "world/file_fault.h"
+#include "world/files/bytes.h"
+#include "world/files/file_fault.h"
 #include "world/recording_check.h"
 
 namespace cellsweep {

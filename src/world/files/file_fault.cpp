@@ -1,4 +1,4 @@
-#include "world/file_fault.h"
+#include "world/files/file_fault.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "world/npy_file.h"
+#include "world/files/npy_file.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "world/file_bytes.h"
+#include "world/files/file_bytes.h"
 #include "world/recording_matchers.h"
 
 namespace cellsweep {

@@ -1,0 +1,73 @@
+#include "world/files/npy_file.h"
+
+#include <algorithm>
+#include <array>
+
+#include "world/files/file_fault.h"
+#include "world/files/npy_header.h"
+#include "world/files/npy_numbers.h"
+#include "world/recording_check.h"
+
+namespace cellsweep {
+namespace {
+
+Aabb bounds_of(std::span<const Aabb> boxes) {
+  if (boxes.empty()) return {};
+  Aabb bounds = boxes.front();
+  for (const Aabb& box : boxes) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      bounds.min[axis] = std::min(bounds.min[axis], box.min[axis]);
+      bounds.max[axis] = std::max(bounds.max[axis], box.max[axis]);
+    }
+  }
+  return bounds;
+}
+
+Status check_header(const NpyHeader& header) {
+  constexpr std::uint64_t kIds = std::uint64_t{1} << 32;
+  if (!header.is_of("f")) {
+    return fault_at(header.type_offset,
+                    "float32 or float64 of a stated byte order (\"<f4\", \"<f8\", \">f4\" or \">f8\")",
+                    cellsweep::quoted(header.type));
+  }
+  const auto refuse = [&](std::string_view expected) {
+    return fault_at(header.shape_offset, expected, "shape " + cellsweep::quoted(header.shape_text));
+  };
+  if (header.shape.size() != 3 || header.shape[2] != 6) return refuse("shape (frames, bodies, 6)");
+  if (header.shape[0] == 0) return refuse("at least one frame");
+  if (header.shape[1] > kIds) return refuse("no more bodies than 32-bit ids name, 4294967296");
+  return {};
+}
+
+}  // namespace
+
+Result<Recording> parse_npy(std::span<const std::byte> file) {
+  const Result<NpyHeader> header = parse_npy_header(file);
+  if (!header) return header.status();
+  if (Status status = check_header(*header); !status.ok()) return status;
+  const BoxBlock block{.offset = header->data_offset,
+                       .box_bytes = 6 * header->bytes(),
+                       .frames = header->shape[0],
+                       .bodies = header->shape[1]};
+  if (Status status = check_file_size(block, file.size()); !status.ok()) return status;
+
+  Recording recording;
+  recording.bodies = block.bodies;
+  recording.boxes.resize(block.frames * block.bodies);
+  if (const auto bad = load_boxes(file, *header, recording.boxes))
+    return box_fault_at(block, bad->box, bad->fault.corner * header->bytes(), bad->fault);
+  recording.world = bounds_of(recording.boxes);
+  return recording;
+}
+
+Result<std::vector<std::byte>> npy_bytes(const Recording& recording) {
+  if (Status status = check_recording(recording); !status.ok()) return status;
+  const std::array<std::uint64_t, 3> shape = {recording.frames(), recording.bodies, 6};
+  std::vector<std::byte> bytes;
+  bytes.reserve(128 + recording.boxes.size() * 6 * sizeof(float));
+  append_npy_header(bytes, "<f4", shape);
+  append_boxes(bytes, recording.boxes);
+  return bytes;
+}
+
+}  // namespace cellsweep

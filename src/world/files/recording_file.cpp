@@ -1,0 +1,65 @@
+#include <array>
+#include <string_view>
+
+#include "cellsweep/world/recording.h"
+#include "world/files/aabbs_file.h"
+#include "world/files/npy_file.h"
+#include "world/files/whole_file.h"
+
+namespace cellsweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One kind of file: its ending and its two directions.
+struct Format {
+  std::string_view ending;
+  Result<Recording> (*parse)(std::span<const std::byte>);
+  Result<std::vector<std::byte>> (*bytes)(const Recording&);
+  bool named;  ///< whether the file holds a name
+};
+
+constexpr std::array<Format, 2> kFormats = {{
+    {".aabbs", parse_aabbs, aabbs_bytes, true},
+    {".npy", parse_npy, npy_bytes, false},
+}};
+
+const Format* find_format(const fs::path& path) {
+  const std::string ending = path.extension().string();
+  for (const Format& format : kFormats) {
+    if (format.ending == ending) return &format;
+  }
+  return nullptr;
+}
+
+Status with_path(const fs::path& path, Status status) {
+  status.message = path.string() + ": " + status.message;
+  return status;
+}
+
+Status unknown_ending(const fs::path& path) {
+  return refusal_of_file(path, "expected a name that ends in .aabbs or .npy");
+}
+
+}  // namespace
+
+Result<Recording> read_recording(const std::filesystem::path& path) {
+  const Format* format = find_format(path);
+  if (format == nullptr) return unknown_ending(path);
+  const Result<std::vector<std::byte>> bytes = read_file(path);
+  if (!bytes) return bytes.status();
+  Result<Recording> recording = format->parse(*bytes);
+  if (!recording) return with_path(path, recording.status());
+  if (!format->named) recording->name = path.stem().string();
+  return recording;
+}
+
+Status write_recording(const Recording& recording, const std::filesystem::path& path) {
+  const Format* format = find_format(path);
+  if (format == nullptr) return unknown_ending(path);
+  const Result<std::vector<std::byte>> bytes = format->bytes(recording);
+  if (!bytes) return with_path(path, bytes.status());
+  return write_file(path, *bytes);
+}
+
+}  // namespace cellsweep
