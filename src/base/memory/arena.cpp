@@ -35,7 +35,7 @@ void* Arena::take_from_next_chunk(std::size_t bytes) {
   if (next == chunks_.size()) {
     std::size_t size = std::max(bytes, std::clamp(bytes_, kFirstChunk, kLargestStep));
     size = round_up(size, size >= kHugePage ? kHugePage : kMemoryAlignment);
-    chunks_.push_back({Memory<std::byte>(take_memory(size)), size});
+    chunks_.push_back({Memory<std::byte>(take_memory(size, kMemoryAlignment)), size});
     bytes_ += size;
   }
   current_ = next;

@@ -18,7 +18,7 @@ class Array {
       memory_.reset();
       size_ = capacity_ = 0;
       const std::size_t wanted = size + size / 8;
-      memory_.reset(reinterpret_cast<T*>(take_memory(wanted * sizeof(T))));
+      memory_.reset(reinterpret_cast<T*>(take_memory(wanted * sizeof(T), alignof(T))));
       capacity_ = wanted;
     }
     size_ = size;

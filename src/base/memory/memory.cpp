@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 
@@ -32,11 +33,17 @@ void ask_for_huge_pages([[maybe_unused]] std::byte* memory, [[maybe_unused]] std
 
 }  // namespace
 
-std::byte* take_memory(std::size_t bytes) {
+std::byte* take_memory(std::size_t bytes, std::size_t alignment) {
   if (must_fail()) throw std::bad_alloc();
+  bytes = std::max(bytes, std::size_t{1});
+  if (bytes >= kHugePage) alignment = kHugePage;
   void* memory = nullptr;
-  const std::size_t alignment = bytes >= kHugePage ? kHugePage : kMemoryAlignment;
-  if (posix_memalign(&memory, alignment, std::max(bytes, std::size_t{1})) != 0) throw std::bad_alloc();
+  if (alignment <= alignof(std::max_align_t)) {
+    memory = std::malloc(bytes);
+  } else if (posix_memalign(&memory, alignment, bytes) != 0) {
+    memory = nullptr;
+  }
+  if (memory == nullptr) throw std::bad_alloc();
   ask_for_huge_pages(static_cast<std::byte*>(memory), bytes);
   return static_cast<std::byte*>(memory);
 }

@@ -11,16 +11,17 @@
 
 namespace cellsweep {
 
-/// How every block of memory is aligned.
+/// How memory is aligned that whole vectors are loaded from: to the lines of a cache.
 inline constexpr std::size_t kMemoryAlignment = 64;
 /// What a huge page of the system holds.
 inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
-/// Uninitialised memory, aligned to kMemoryAlignment; a block of some megabytes asks for huge pages: a page
-/// fault costs as much as some hundred bodies. Throws std::bad_alloc. Safe to call from any thread.
-std::byte* take_memory(std::size_t bytes);
+/// Uninitialised memory, aligned as any type needs or as is asked for, which takes some hundred bodies' time
+/// more; a block of some megabytes asks for huge pages: a page fault costs as much. Throws std::bad_alloc.
+/// Safe to call from any thread.
+std::byte* take_memory(std::size_t bytes, std::size_t alignment = alignof(std::max_align_t));
 /// More memory, at least for `bytes`, that begins with what was in `memory`, which it replaces; null is fine.
-/// As take_memory(), but aligned as any type needs only.
+/// As take_memory() without an alignment.
 std::byte* grow_memory(std::byte* memory, std::size_t bytes);
 
 void give_memory(void* memory);
@@ -63,7 +64,7 @@ struct Allocator {
 
   T* allocate(std::size_t count) {
     if (count > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_alloc();
-    return reinterpret_cast<T*>(take_memory(count * sizeof(T)));
+    return reinterpret_cast<T*>(take_memory(count * sizeof(T), alignof(T)));
   }
   void deallocate(T* memory, std::size_t) { give_memory(memory); }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <thread>
@@ -35,11 +36,13 @@ TEST(Memory, BlocksOfEverySizeAreAlignedAndMayBeWrittenToTheirEnds) {
   for (const std::size_t size :
        {std::size_t{0}, std::size_t{1}, std::size_t{63}, std::size_t{64}, std::size_t{65}, std::size_t{4097},
         kHugePage - 1, kHugePage, kHugePage + 1, 20 * kHugePage + 5}) {
-    const Memory<std::byte> memory(take_memory(size));
-    ASSERT_NE(memory.get(), nullptr);
-    EXPECT_EQ(address(memory.get()) % 64, 0U) << size;
-    EXPECT_TRUE(size < kHugePage || address(memory.get()) % kHugePage == 0) << size;
-    std::memset(memory.get(), 0xa5, size);
+    for (const std::size_t alignment : {std::size_t{1}, alignof(std::max_align_t), kMemoryAlignment}) {
+      const Memory<std::byte> memory(take_memory(size, alignment));
+      ASSERT_NE(memory.get(), nullptr);
+      EXPECT_EQ(address(memory.get()) % std::max(alignment, alignof(std::max_align_t)), 0U) << size;
+      EXPECT_TRUE(size < kHugePage || address(memory.get()) % kHugePage == 0) << size;
+      std::memset(memory.get(), 0xa5, size);
+    }
   }
 }
 

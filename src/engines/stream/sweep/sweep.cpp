@@ -12,10 +12,13 @@
 namespace cellsweep::stream {
 namespace {
 
-/// Numbers on the axis of the order.
-constexpr std::uint32_t kPlaces = 512;
+/// Numbers on the axis of the order, at least and at most.
+constexpr std::uint32_t kFewestPlaces = 256;
+constexpr std::uint32_t kMostPlaces = 4096;
 /// Room behind the last byte for a vector.
 constexpr std::size_t kPadding = 64;
+/// Few boxes have more hits than this.
+constexpr std::size_t kUsualHits = 2;
 
 /// Maps coordinates of the three axes, in lanes 0 to 2, to whole numbers.
 struct NumberMap {
@@ -33,25 +36,35 @@ struct NumberMap {
   }
 };
 
-/// The axis on which boxes are shortest by its length.
-unsigned longest_axis(const BoxSample& sample) {
+/// The axis by which boxes are put in order: the one on which they are shortest by its length.
+struct Order {
+  unsigned axis = 0;
+  std::uint32_t places = kFewestPlaces;
+};
+
+/// A box is to reach over some places, or most of those who share one with it would not meet it.
+Order choose_order(const BoxSample& sample) {
   const std::array<double, 3> edges = {sample.extents.x, sample.extents.y, sample.extents.z};
-  unsigned best = 0;
+  Order order;
   double longest = -1;
   for (unsigned axis = 0; axis < 3; ++axis) {
     const double length = sample.axes[axis].length;
     const double edges_long = length / (edges[axis] + 1e-4 * length + DBL_MIN);
-    if (edges_long > longest) longest = edges_long, best = axis;
+    if (edges_long > longest) longest = edges_long, order.axis = axis;
   }
-  return best;
+  const double wanted = std::clamp<double>(tuning::kPlacesOfEdge * longest, kFewestPlaces, kMostPlaces);
+  order.places = std::bit_ceil(static_cast<std::uint32_t>(wanted));
+  return order;
 }
 
-NumberMap make_map(const BoxSample& sample, unsigned sorted_axis) {
+NumberMap make_map(const BoxSample& sample, const Order& order) {
   NumberMap map;
   for (unsigned axis = 0; axis < 3; ++axis) {
-    const double numbers = axis == sorted_axis ? kPlaces : 256;
-    const double length = sample.axes[axis].length;
-    map.origin[axis] = static_cast<float>(sample.axes[axis].origin);
+    const double numbers = axis == order.axis ? order.places : 256;
+    // A few boxes lie beyond what the sample knows of; on the axis of the order they would share two places.
+    const double beyond = axis == order.axis ? sample.axes[axis].length / 8 : 0;
+    const double length = sample.axes[axis].length + 2 * beyond;
+    map.origin[axis] = static_cast<float>(std::max(sample.axes[axis].origin - beyond, double{-FLT_MAX}));
     map.scale[axis] = length > 0 ? static_cast<float>(std::min(numbers / length, double{FLT_MAX})) : 0;
     map.top[axis] = static_cast<float>(numbers - 1);
   }
@@ -74,8 +87,10 @@ bool Sweep::find(const Kernels& kernels, std::span<const Aabb> boxes, Keys& foun
 // How many there are.
 std::uint32_t Sweep::make_rows(std::span<const Aabb> boxes) {
   const BoxSample sample = take_sample({boxes.data(), boxes.size()}, Look::at_few);
-  const unsigned x = longest_axis(sample), y = (x + 1) % 3, z = (x + 2) % 3;
-  const NumberMap map = make_map(sample, x);
+  const Order order = choose_order(sample);
+  const unsigned x = order.axis, y = (x + 1) % 3, z = (x + 2) % 3;
+  const NumberMap map = make_map(sample, order);
+  places_ = order.places;
   rows_.renew(boxes.size());
   slots_.renew(boxes.size());
   std::uint32_t count = 0;
@@ -95,14 +110,17 @@ std::uint32_t Sweep::make_rows(std::span<const Aabb> boxes) {
 // By counting.
 void Sweep::sort_rows(std::uint32_t count) {
   const std::size_t room = count + kPadding;
-  sorted_.renew(count);
+  sorted_.renew(count + 1);  // list_hits() reads one that is nobody's
   ends_.renew(count);
   bytes_.renew(4 * room);
-  std::array<std::uint32_t, kPlaces + 1> first{};
+  std::array<std::uint32_t, kMostPlaces + 1> first;  // NOLINT(*-member-init): as far as it is read
+  std::array<std::uint32_t, kMostPlaces> next;       // NOLINT(*-member-init)
+  std::fill_n(first.begin(), places_ + 1, 0U);
   for (const Row& row : rows_.view().first(count)) ++first[row.low_x + 1];
-  for (std::uint32_t place = 0; place < kPlaces; ++place) first[place + 1] += first[place];
-  std::array<std::uint32_t, kPlaces> next;
-  std::copy_n(first.begin(), kPlaces, next.begin());
+  for (std::uint32_t place = 0; place < places_; ++place) {
+    next[place] = first[place];
+    first[place + 1] += first[place];
+  }
   std::uint8_t* const bytes = bytes_.data();
   for (std::uint32_t i = 0; i < count; ++i) {
     const Row row = rows_.data()[i];
