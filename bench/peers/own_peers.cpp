@@ -45,6 +45,8 @@ class OwnEngine : public Peer {
 
   void insert(std::span<const Aabb> boxes) override { insert(ids_, boxes); }
 
+  Work work() const override { return engine_.statistics().work; }
+
   void update(std::span<const Aabb> boxes, const PeerChanges& changes) override {
     if (!changes.removed.empty()) check(engine_.remove(ids_of(changes.removed)));
     if (!changes.inserted.empty()) {

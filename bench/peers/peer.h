@@ -11,6 +11,7 @@
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/pair.h"
+#include "cellsweep/statistics.h"
 
 namespace cellsweep::bench {
 
@@ -52,6 +53,9 @@ class Peer {
   /// Writes the pairs of the last insert() or update() into a list of the caller's, over what is in it:
   /// exactly those whose closed boxes overlap, each once, in any order.
   virtual void list_pairs(std::vector<Pair>& pairs) = 0;
+
+  /// What it counted since it was made, where it counts. Not timed.
+  virtual Work work() const { return {}; }
 
   /// The body that the peer lists by this id, for one that gives them ids of its own. Not timed.
   virtual BodyId body_of(BodyId id) const { return id; }

@@ -85,6 +85,7 @@ void PeerRun::go_to_next_world() {
 
 void PeerRun::make_peer(std::span<const Aabb> boxes) {
   peer_ = info_->make();
+  work_before_ = {};
   peer_->prepare({world_, boxes});
 }
 
@@ -124,6 +125,13 @@ std::vector<Pair> PeerRun::pairs() const {
 }
 
 double PeerRun::next_frame() {
+  work_before_ = peer_->work();
+  const double seconds = run_frame();
+  work_ = peer_->work() - work_before_;
+  return seconds;
+}
+
+double PeerRun::run_frame() {
   switch (setting_.mode) {
     case PeerMode::initial:
       go_to_next_world();

@@ -56,6 +56,9 @@ class PeerRun {
   std::span<const BodyId> bodies() const;
   FrameKey key() const { return key_; }
 
+  /// What the peer counted in the last frame.
+  const Work& work() const { return work_; }
+
   /// The list of the last frame, as the peer wrote it.
   const std::vector<Pair>& listed() const { return pairs_; }
   /// The same list, of bodies by their numbers, the smaller first.
@@ -67,6 +70,7 @@ class PeerRun {
   double insert(std::span<const Aabb> boxes);
   double insert_those_there();
   double update(const PeerChanges& changes);
+  double run_frame();
   BodyId body_of(BodyId listed) const;
 
   const PeerInfo* info_;
@@ -80,6 +84,8 @@ class PeerRun {
   std::vector<BodyId> there_ids_;  // and who they are
   std::unique_ptr<Peer> peer_;
   std::vector<Pair> pairs_;
+  Work work_;
+  Work work_before_;  // of the same peer, before the last frame
 };
 
 }  // namespace cellsweep::bench

@@ -50,31 +50,55 @@ double mean_of(const std::vector<double>& numbers) {
   return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
 }
 
+/// Of the frames of a row.
+struct TimedFrames {
+  std::vector<double> seconds;
+  Work work;
+
+  void add(double seconds_of_frame, const Work& work_of_frame) {
+    seconds.push_back(seconds_of_frame);
+    work.boxes_placed += work_of_frame.boxes_placed;
+    work.boxes_compared += work_of_frame.boxes_compared;
+  }
+};
+
 // Slow peers need not take as many frames.
-std::vector<double> time_frames(PeerRun& run, const PeerSetting& setting) {
+TimedFrames time_frames(PeerRun& run, const PeerSetting& setting) {
   constexpr double kLongEnough = 0.4;  // seconds
   const std::size_t fewest = fewest_frames(setting);
   // An engine that keeps something from frame to frame first learns that bodies move.
   const std::size_t frames_before = info_of(setting.mode).moving.value_or(1) > 0 ? 2 : 0;
   for (std::size_t i = 0; i < frames_before; ++i) run.next_frame();
-  std::vector<double> seconds;
+  TimedFrames frames;
   double sum = 0;
-  while (seconds.size() < frames_of(setting) && (sum < kLongEnough || seconds.size() < fewest)) {
-    seconds.push_back(run.next_frame());
-    sum += seconds.back();
+  while (frames.seconds.size() < frames_of(setting) &&
+         (sum < kLongEnough || frames.seconds.size() < fewest)) {
+    const double seconds = run.next_frame();
+    frames.add(seconds, run.work());
+    sum += seconds;
   }
-  return seconds;
+  return frames;
+}
+
+// The means of frames, of peers that count.
+void show_work(benchmark::State& state, const TimedFrames& frames) {
+  const auto count = static_cast<double>(frames.seconds.size());
+  if (frames.work.boxes_compared == 0 && frames.work.boxes_placed == 0) return;
+  state.counters["placed"] = static_cast<double>(frames.work.boxes_placed) / count;
+  state.counters["compared"] = static_cast<double>(frames.work.boxes_compared) / count;
 }
 
 void run_row(benchmark::State& state, const PeerInfo& peer, const PeerSetting& setting) {
   Mismatch mismatch;
   if (peer.finds_pairs) mismatch = check_once(peer, setting);
   PeerRun run(peer, setting);
-  std::vector<double> seconds;
+  TimedFrames frames;
   for (auto _ : state) {
-    seconds = time_frames(run, setting);
-    state.SetIterationTime(mean_of(seconds));
+    frames = time_frames(run, setting);
+    state.SetIterationTime(mean_of(frames.seconds));
   }
+  const std::vector<double>& seconds = frames.seconds;
+  show_work(state, frames);
   state.counters["pairs"] = static_cast<double>(run.listed().size());
   state.counters["frames"] = static_cast<double>(seconds.size());
   state.counters["median"] = 1e6 * report::quantile(seconds, 0.5);

@@ -52,13 +52,6 @@ class ToAndFro {
   std::vector<std::array<float, 3>> ways_ = std::vector<std::array<float, 3>>(kBodies);
 };
 
-std::uint64_t fat_boxes_made(const Broadphase& engine) {
-  for (const Counter& counter : engine.statistics().counters) {
-    if (counter.name == "fat boxes put into cells") return counter.value;
-  }
-  return 0;
-}
-
 /// Of a body in an update: nanoseconds, and how many fat boxes it needs.
 Measured update_cost(unsigned steps, float step) {
   ToAndFro bodies(steps, step);
@@ -69,7 +62,7 @@ Measured update_cost(unsigned steps, float step) {
   double seconds = 0;
   std::uint64_t made = 0;
   for (int update = 0; update < 2 * kUpdates; ++update) {
-    if (update == kUpdates) seconds = 0, made = fat_boxes_made(engine);
+    if (update == kUpdates) seconds = 0, made = engine.statistics().work.boxes_placed;
     seconds += seconds_of([&] {
       if (engine.move(ids, bodies.boxes()).ok()) engine.update().ok();
     });
@@ -77,7 +70,7 @@ Measured update_cost(unsigned steps, float step) {
   }
   const double updates = double{kUpdates} * kBodies;
   return {{"ns", 1e9 * seconds / updates},
-          {"fat_boxes", static_cast<double>(fat_boxes_made(engine) - made) / updates}};
+          {"fat_boxes", static_cast<double>(engine.statistics().work.boxes_placed - made) / updates}};
 }
 
 std::string percent(float share) {

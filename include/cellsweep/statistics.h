@@ -27,12 +27,24 @@ struct Counter {
   std::uint64_t value = 0;
 };
 
+/// What an engine did over its whole life, counted, not timed: the same on every machine and in every run
+/// with the same settings. 0 where it does not count.
+struct Work {
+  std::uint64_t boxes_placed = 0;    ///< put into cells, or what the engine has in their place
+  std::uint64_t boxes_compared = 0;  ///< pairs of boxes that were held against each other
+
+  friend Work operator-(const Work& now, const Work& before) {
+    return {now.boxes_placed - before.boxes_placed, now.boxes_compared - before.boxes_compared};
+  }
+};
+
 /// Names are stable within an engine.
 struct Statistics {
   std::uint64_t updates = 0;    ///< that succeeded
   std::uint64_t bytes = 0;      ///< of memory held, nearly
   std::vector<Phase> phases{};  ///< of the last update(), in the order they ran
   std::vector<Counter> counters{};
+  Work work{};
 };
 
 }  // namespace cellsweep

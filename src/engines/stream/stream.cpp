@@ -180,15 +180,16 @@ void Stream::note_idle(Statistics& statistics) {
 void Stream::refresh_counters(Statistics& statistics) {
   bytes_ = fat_boxes_.bytes() + search_.bytes() + overlaps_.bytes();
   statistics.bytes += bytes_;
+  statistics.work = {changed_, search_.tests() + overlaps_.tests()};
   statistics.counters.assign({{"full updates", updates_[kFull]},
                               {"partial updates", updates_[kPartial]},
                               {"in-place updates", updates_[kInPlace]},
                               {"idle updates", updates_[kIdle]},
-                              {"fat boxes put into cells", changed_},
+                              {"fat boxes put into cells", statistics.work.boxes_placed},
                               {"candidates", overlaps_.candidates()},
                               {"pieces", search_.cells().pieces()},
                               {"boxes in cells", search_.cells().copies()},
-                              {"boxes compared", search_.tests() + overlaps_.tests()},
+                              {"boxes compared", statistics.work.boxes_compared},
                               {"workers", crew_.active()},
                               {"vector lanes", parts_.kernels->lanes}});
   if (parts_.finder) parts_.finder->add_counters(statistics.counters);

@@ -49,6 +49,25 @@ TEST(Stream, LooksAtNoCellWhileBodiesKeepTheirCourse) {
   EXPECT_GE(counter(engine, "in-place updates"), 5U);
 }
 
+TEST(Stream, CountsItsWork) {
+  const std::vector<Aabb> boxes = uniform_boxes(5000 / kScale, 3);
+  Broadphase engine = engine_with(boxes);
+  EXPECT_EQ(engine.statistics().work.boxes_placed, 0U);
+  ASSERT_TRUE(engine.update().ok());
+  const Work first = engine.statistics().work;
+  EXPECT_EQ(first.boxes_placed, boxes.size());
+  EXPECT_GE(first.boxes_compared, engine.pairs().size());
+  EXPECT_EQ(first.boxes_compared, counter(engine, "boxes compared"));
+  ASSERT_TRUE(engine.update().ok());
+  const Work idle = engine.statistics().work - first;
+  EXPECT_EQ(idle.boxes_placed + idle.boxes_compared, 0U);
+  ASSERT_TRUE(engine.move(7, boxes[8]).ok());
+  ASSERT_TRUE(engine.update().ok());
+  const Work one = engine.statistics().work - first;
+  EXPECT_EQ(one.boxes_placed, 1U);
+  EXPECT_LT(one.boxes_compared, first.boxes_compared / 10);
+}
+
 /// Of how many bodies in a thousand the cells are looked at in a frame, while all tremble about where they
 /// rest.
 double changed_of_trembling(float by, const StreamOptions& options) {
