@@ -125,7 +125,7 @@ std::vector<Pair> PeerRun::pairs() const {
 }
 
 double PeerRun::next_frame() {
-  work_before_ = peer_->work();
+  work_before_ = peer_ ? peer_->work() : Work();
   const double seconds = run_frame();
   work_ = peer_->work() - work_before_;
   return seconds;

@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <numeric>
 #include <random>
@@ -8,10 +9,12 @@
 #include <vector>
 
 #include "base/crew.h"
+#include "base/key_sort.h"
 #include "base/pair_sort.h"
 #include "base/thread_pool.h"
 #include "base/tuning.h"
 #include "bench/tuning/rows.h"
+#include "broadphase/bodies/id_table.h"
 #include "cellsweep/broadphase.h"
 #include "engines/stream/kernels/kernel.h"
 #include "engines/stream/pairs/candidate_list.h"
@@ -129,6 +132,33 @@ double sort_cost(std::size_t pairs) {
          static_cast<double>(pairs);
 }
 
+/// Nanoseconds to sort one key of so many bits.
+double key_cost(unsigned bits) {
+  constexpr std::size_t kKeys = 10'000;
+  std::mt19937_64 random(1);
+  std::vector<std::uint64_t> keys(kKeys), spare(kKeys);
+  for (auto& key : keys) key = random() >> (64 - bits);
+  return 1e9 * seconds_of([&] { sort_keys(keys, spare); }) / kKeys;
+}
+
+/// Nanoseconds to give a slot to one id of so many from anywhere.
+double id_cost(std::size_t count) {
+  std::mt19937 random(1);
+  std::vector<BodyId> ids(count);
+  std::generate(ids.begin(), ids.end(), std::ref(random));
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::shuffle(ids.begin(), ids.end(), random);
+  return 1e9 *
+         quickest_seconds_of(20,
+                             [&] {
+                               IdTable table;
+                               Vector<Slot> slots;
+                               if (!table.insert(ids, slots)) std::abort();
+                             }) /
+         static_cast<double>(ids.size());
+}
+
 /// The counter `measured` is in the unit of the constant that the row is named after.
 void register_row(const std::string& name, double in_code, const std::function<double()>& measure) {
   register_tuning_row(name, [=] { return Measured{{"measured", measure()}, {"in_code", in_code}}; });
@@ -149,6 +179,13 @@ void register_cost_rows() {
   for (const std::size_t limit : {tuning::kFewKeys, tuning::kOneStep}) {
     register_row("sort/" + std::to_string(limit), 0, [limit] { return sort_cost(limit); });
     register_row("sort/" + std::to_string(limit + 1), 0, [limit] { return sort_cost(limit + 1); });
+  }
+  for (const unsigned bits : {11 * tuning::kFewDigits, 11 * tuning::kFewDigits + 1}) {
+    register_row("keys/" + std::to_string(bits) + "-bits", 0, [bits] { return key_cost(bits); });
+  }
+  for (const std::size_t ids :
+       {tuning::kListedIds / 2, tuning::kListedIds - 1, tuning::kListedIds + 1, 2 * tuning::kListedIds}) {
+    register_row("ids/" + std::to_string(ids), 0, [ids] { return id_cost(ids); });
   }
 }
 

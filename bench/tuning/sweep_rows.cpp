@@ -78,6 +78,17 @@ Measured with_some_outside(double tests) {
   return sweep_and_cells(boxes);
 }
 
+/// Cubes on one axis, each of which overlaps about one other.
+Measured on_a_line() {
+  Random random(1);
+  std::vector<Aabb> boxes(kBodies);
+  for (Aabb& box : boxes) {
+    const auto x = static_cast<float>(random.between(0, 2.0 * kBodies));
+    box = {{x, 0, 0}, {x + 1, 1, 1}};
+  }
+  return sweep_and_cells(boxes);
+}
+
 void register_shares(const std::string& name, double limit, Measured (*measure)(double)) {
   for (const double share : {0.25, 0.5, 0.9}) {
     const double value = std::floor(share * limit);
@@ -92,6 +103,8 @@ void register_sweep_rows() {
   if (kernels().sweep == nullptr) return;
   for (std::size_t bodies = tuning::kMostSwept / 4; bodies <= 4 * tuning::kMostSwept; bodies *= 2)
     register_tuning_row("kMostSwept/" + std::to_string(bodies), [bodies] { return in_world_of(bodies); });
+  register_tuning_row("kPlacesOfEdge/axis", on_a_line);
+  register_tuning_row("kPlacesOfEdge/uniform", [] { return in_world_of(kBodies); });
   register_shares("kVectorsOfSwept", tuning::kVectorsOfSwept, in_crowd);
   register_shares("kTestsOfSwept", tuning::kTestsOfSwept, with_some_outside);
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bench/peers/peer_check.h"
+#include "bench/peers/peer_run.h"
 #include "bench/peers/peer_table.h"
 #include "contract/effort.h"
 #include "world/scene_probe.h"
@@ -48,6 +49,25 @@ PeerInfo peer_of(std::string_view name) {
 std::size_t place_of(std::string_view scene) {
   return static_cast<std::size_t>(std::find(kPeerScenes.begin(), kPeerScenes.end(), scene) -
                                   kPeerScenes.begin());
+}
+
+TEST(PeerRun, CountsTheWorkOfEachFrameOfEnginesThatCount) {
+  const PeerInfo stream = peer_of("stream_1");
+  PeerRun all_new(stream, {"uniform", 500, PeerMode::initial});
+  for (int frame = 0; frame < 3; ++frame) {
+    all_new.next_frame();
+    EXPECT_EQ(all_new.work().boxes_placed, 500U) << "each frame has a broadphase of its own";
+    EXPECT_GE(all_new.work().boxes_compared, all_new.listed().size());
+  }
+  PeerRun still(stream, {"uniform", 500, PeerMode::static_told});
+  still.next_frame();
+  EXPECT_EQ(still.work().boxes_placed + still.work().boxes_compared, 0U);
+  PeerRun moving(stream, {"uniform", 500, PeerMode::dyn100});
+  for (int frame = 0; frame < 3; ++frame) moving.next_frame();
+  EXPECT_GT(moving.work().boxes_compared, 0U);
+  PeerRun other(peer_of("box_pruning"), {"uniform", 500, PeerMode::initial});
+  other.next_frame();
+  EXPECT_EQ(other.work().boxes_compared, 0U) << "it does not count";
 }
 
 /// Leaves out one pair and lists another twice.
