@@ -39,13 +39,13 @@ struct Digits {
     return ((key - least) >> shifts[digit]) & (values() - 1);
   }
 
-  /// The next ones: `all_bits` bits from `below` on, one digit at least.
+  /// The next ones: as many as it takes for `all_bits` bits from `below` on.
   void add(unsigned below, unsigned all_bits) {
-    do {
+    while (all_bits > 0) {
       shifts[count++] = below;
       below += bits;
       all_bits -= std::min(bits, all_bits);
-    } while (all_bits > 0);
+    }
   }
 };
 
@@ -70,7 +70,8 @@ Digits upper_digits(std::size_t keys, Key least, KeyBits bits) {
   Digits digits;
   digits.least = least;
   digits.bits = std::max(digit_bits(wanted, keys, 4), 1U);
-  if (bits.second > 0) digits.add(bits.second - std::min(bits.second, digits.bits), 1);
+  const unsigned of_second = std::min(bits.second, digits.bits);
+  digits.add(bits.second - of_second, of_second);
   digits.add(bits.all() - wanted, wanted);
   return digits;
 }

@@ -65,7 +65,8 @@ TEST(PeerRun, CountsTheWorkOfEachFrameOfEnginesThatCount) {
   PeerRun moving(stream, {"uniform", 500, PeerMode::dyn100});
   for (int frame = 0; frame < 3; ++frame) moving.next_frame();
   EXPECT_GT(moving.work().boxes_compared, 0U);
-  PeerRun other(peer_of("box_pruning"), {"uniform", 500, PeerMode::initial});
+  const PeerInfo box_pruning = peer_of("box_pruning");
+  PeerRun other(box_pruning, {"uniform", 500, PeerMode::initial});
   other.next_frame();
   EXPECT_EQ(other.work().boxes_compared, 0U) << "it does not count";
 }

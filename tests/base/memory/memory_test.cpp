@@ -115,11 +115,21 @@ TEST(Memory, MoreThanThereIsThrows) {
 
 TEST(AllocatorOfContainers, GetsItsMemoryHere) {
   Vector<int> numbers(1000, 4);
-  EXPECT_EQ(address(numbers.data()) % 64, 0U);
   EXPECT_THAT(numbers, testing::Each(4));
   EXPECT_TRUE(fails_at(1, [&] { numbers.resize(100'000); }));
   EXPECT_EQ(numbers.size(), 1000U);
   EXPECT_FALSE(fails_at(2, [&] { numbers.resize(100'000); }));
+}
+
+struct alignas(kMemoryAlignment) Line {
+  char bytes[kMemoryAlignment];
+};
+
+TEST(AllocatorOfContainers, AlignsMemoryAsTheElementsAskFor) {
+  for (std::size_t count = 1; count < 100; ++count) {
+    EXPECT_EQ(address(Vector<Line>(count).data()) % kMemoryAlignment, 0U);
+    EXPECT_EQ(address(Vector<double>(count).data()) % alignof(double), 0U);
+  }
 }
 
 TEST(AllocatorOfContainers, RefusesANumberOfElementsWhoseBytesCannotBeCounted) {

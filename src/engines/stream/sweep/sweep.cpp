@@ -17,8 +17,6 @@ constexpr std::uint32_t kFewestPlaces = 256;
 constexpr std::uint32_t kMostPlaces = 4096;
 /// Room behind the last byte for a vector.
 constexpr std::size_t kPadding = 64;
-/// Few boxes have more hits than this.
-constexpr std::size_t kUsualHits = 2;
 
 /// Maps coordinates of the three axes, in lanes 0 to 2, to whole numbers.
 struct NumberMap {
@@ -110,7 +108,7 @@ std::uint32_t Sweep::make_rows(std::span<const Aabb> boxes) {
 // By counting.
 void Sweep::sort_rows(std::uint32_t count) {
   const std::size_t room = count + kPadding;
-  sorted_.renew(count + 1);  // list_hits() reads one that is nobody's
+  sorted_.renew(count);
   ends_.renew(count);
   bytes_.renew(4 * room);
   std::array<std::uint32_t, kMostPlaces + 1> first;  // NOLINT(*-member-init): as far as it is read

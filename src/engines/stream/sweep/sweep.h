@@ -48,9 +48,6 @@ class Sweep {
   bool pays(const Kernels& kernels, std::uint32_t count);
   bool find_pairs(const Kernels& kernels, std::span<const Aabb> boxes, std::uint32_t count, KeyBuffer& found);
   std::uint64_t test(std::span<const Aabb> boxes, std::span<const SweptHits> hits, KeyBuffer& found) const;
-  std::size_t list_hits(std::span<const SweptHits> hits, std::uint64_t* listed) const;
-  static void test_listed(std::span<const Aabb> boxes, std::span<const std::uint64_t> listed,
-                          KeyBuffer& found);
 
   std::uint32_t places_ = 0;  // numbers on the axis of the order
   Array<Row> rows_;
