@@ -112,5 +112,20 @@ TEST(FrameFile, GivesFramesOfRecordingsAndTraces) {
   EXPECT_THAT(read_frame_file("none.npz"), RefusedWith(testing::HasSubstr("none.npz")));
 }
 
+TEST(FrameFile, HasTheTraceOfABulletWorldWhoseBodiesComeGoAndFallAsleep) {
+  if (!traces_have_files()) GTEST_SKIP() << "a build without libzip";
+  const Result<FrameFile> file = read_frame_file(CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-falling-40.npz");
+  ASSERT_TRUE(file.ok()) << file.status().message;
+  EXPECT_EQ(file->frames(), 300U);
+  const auto frames = file->make_source();
+  EXPECT_EQ(frames->name(), "bullet-falling-40");
+  EXPECT_TRUE(frames->bodies_come_and_go());
+  EXPECT_EQ(frames->bodies().size(), 42U) << "a plane, the cubes, and the first spark";
+  while (frames->advance()) {
+  }
+  EXPECT_EQ(frames->bodies().size(), 41U);
+  EXPECT_THAT(frames->moved(), IsEmpty()) << "all are asleep";
+}
+
 }  // namespace
 }  // namespace cellsweep
