@@ -27,8 +27,9 @@ struct Counter {
   std::uint64_t value = 0;
 };
 
-/// What an engine did over its whole life, counted, not timed: the same on every machine and in every run
-/// with the same settings. 0 where it does not count.
+/// What an engine did over its whole life, counted, not timed. Pairs are the same on every machine, this need
+/// not be: `stream` chooses between two ways to the same pairs by what earlier updates took. 0 where an
+/// engine does not count.
 struct Work {
   std::uint64_t boxes_placed = 0;    ///< put into cells, or what the engine has in their place
   std::uint64_t boxes_compared = 0;  ///< pairs of boxes that were held against each other

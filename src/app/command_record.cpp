@@ -70,6 +70,7 @@ void add_record(CLI::App& program, ExitCode& exit_code) {
                    ->type_name("FILE");
   record->scene.add_to(*command);
   record->scene.add_filters_to(*command);
+  SceneFlags::exclude_beside(*command, *from);
   command->add_option("--frames", record->updates, "Updates after frame 0")
       ->check(count())
       ->type_name("N")

@@ -119,8 +119,9 @@ void add_render(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand(
       "render", "Draw a frame of a scene or recording as a ray-traced picture; colliding boxes are green");
   auto render = std::make_shared<Render>();
-  command->add_option("FILE", render->file, "A recording; without one, a scene is drawn");
+  auto* file = command->add_option("FILE", render->file, "A recording; without one, a scene is drawn");
   render->scene.add_to(*command);
+  SceneFlags::exclude_beside(*command, *file);
   auto* frame = command->add_option("--frame", render->frame, "Frame to draw")
                     ->check(count())
                     ->type_name("N")

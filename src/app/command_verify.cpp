@@ -67,9 +67,10 @@ void add_verify(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command =
       program.add_subcommand("verify", "Compare engines with all-against-all, frame by frame");
   auto verify = std::make_shared<Verify>();
-  command->add_option("FILE", verify->file, "A recording; without one, a scene is run");
+  auto* file = command->add_option("FILE", verify->file, "A recording; without one, a scene is run");
   verify->scene.add_to(*command);
   verify->scene.add_filters_to(*command);
+  SceneFlags::exclude_beside(*command, *file);
   command->add_option("--frames", verify->updates, "Updates after frame 0")
       ->check(count())
       ->type_name("N")

@@ -73,8 +73,9 @@ void add_view(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand(
       "view", "Show a scene or recording in a window while an engine works on it; colliding boxes are green");
   auto view = std::make_shared<View>();
-  command->add_option("FILE", view->file, "A recording; without one, a scene is run");
+  auto* file = command->add_option("FILE", view->file, "A recording; without one, a scene is run");
   view->scene.add_to(*command);
+  SceneFlags::exclude_beside(*command, *file);
   view->engines.add_to(*command, EngineFlags::Purpose::a_look, "stream");
   command->add_option("--frames", view->window.frames, "Updates after frame 0, then end")
       ->check(count())

@@ -13,6 +13,9 @@
 namespace cellsweep::app {
 namespace {
 
+constexpr const char* kSceneGroup = "The scene";
+constexpr const char* kFilterGroup = "Which bodies meet";
+
 constexpr std::array kGiantSlots = {std::pair{std::string_view("none"), GiantSlot::none},
                                     std::pair{std::string_view("first"), GiantSlot::first},
                                     std::pair{std::string_view("middle"), GiantSlot::middle},
@@ -42,7 +45,6 @@ std::vector<std::string_view> giant_words() {
 void SceneFlags::add_to(CLI::App& command) {
   constexpr std::uint64_t kMostBodies = std::uint64_t{1} << 32;
   constexpr double kTopSpeed = 1e6;
-  constexpr const char* kSceneGroup = "The scene";
   std::string names;
   for (const SceneInfo& info : scene_table()) names += (names.empty() ? "" : ", ") + std::string(info.name);
   command.add_option("--scene", settings.scene, "Scene: " + names)
@@ -81,7 +83,6 @@ void SceneFlags::add_to(CLI::App& command) {
 }
 
 void SceneFlags::add_filters_to(CLI::App& command) {
-  constexpr const char* kFilterGroup = "Which bodies meet";
   command
       .add_flag("--static", settings.rest_is_static,
                 "Bodies that never move are static, and do not meet each other")
@@ -92,6 +93,13 @@ void SceneFlags::add_filters_to(CLI::App& command) {
       ->type_name("N")
       ->group(kFilterGroup)
       ->default_str("0, all meet all");
+}
+
+void SceneFlags::exclude_beside(CLI::App& command, CLI::Option& file) {
+  for (CLI::Option* option : command.get_options()) {
+    const std::string& group = option->get_group();
+    if (group == kSceneGroup || group == kFilterGroup) file.excludes(option);
+  }
 }
 
 std::string SceneFlags::text() const {

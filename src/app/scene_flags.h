@@ -16,6 +16,9 @@ struct SceneFlags {
   /// Adds --static and --groups, for commands to which filters matter.
   void add_filters_to(CLI::App& command);
 
+  /// Refuses all of them beside an option that names a file in the scene's place. Added last.
+  static void exclude_beside(CLI::App& command, CLI::Option& file);
+
   /// The flags that make this scene.
   std::string text() const;
 

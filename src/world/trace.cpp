@@ -10,6 +10,7 @@ namespace {
 /// A frame's part of a list.
 template <class T>
 std::span<const T> part(const std::vector<T>& list, const std::vector<std::size_t>& ends, std::size_t frame) {
+  if (frame >= ends.size()) return {};  // of no frames
   const std::size_t first = frame == 0 ? 0 : ends[frame - 1];
   return std::span(list).subspan(first, ends[frame] - first);
 }

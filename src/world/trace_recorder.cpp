@@ -23,9 +23,17 @@ TraceRecorder::Body* TraceRecorder::find(BodyId id) {
 // At least one number is free then. No list has a number twice: with room for all, they never ask for memory.
 void TraceRecorder::make_room() {
   if (!free_.empty()) return;
-  bodies_.emplace_back();
+  if (bodies_.size() == bodies_.capacity()) bodies_.reserve(2 * bodies_.size() + 64);
   for (std::vector<BodyId>* list : {&noted_, &removed_, &free_}) list->reserve(bodies_.capacity());
+  bodies_.emplace_back();
   free_.push_back(static_cast<BodyId>(bodies_.size() - 1));
+}
+
+// Takes the number that make_room() made sure of.
+void TraceRecorder::enter(BodyId number, const Aabb& box, const BodyFilter& filter) {
+  free_.pop_back();
+  bodies_[number] = {box, box, filter, true, true, false};
+  note(number);
 }
 
 void TraceRecorder::note(BodyId number) {
@@ -39,9 +47,7 @@ Status TraceRecorder::insert(BodyId id, const Aabb& box, const BodyFilter& filte
   make_room();
   const BodyId number = free_.back();
   numbers_.emplace(id, number);
-  free_.pop_back();
-  bodies_[number] = {box, box, filter, true, true, false};
-  note(number);
+  enter(number, box, filter);
   return {};
 }
 
@@ -63,8 +69,12 @@ Status TraceRecorder::set_filter(BodyId id, const BodyFilter& filter) {
     return {};
   }
   const Aabb box = body->next;
-  if (Status status = remove(id); !status.ok()) return status;
-  return insert(id, box, filter);
+  make_room();
+  BodyId& number = numbers_.find(id)->second;
+  leave(number);
+  number = free_.back();
+  enter(number, box, filter);
+  return {};
 }
 
 Status TraceRecorder::remove(BodyId id) {

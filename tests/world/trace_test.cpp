@@ -22,6 +22,8 @@ TEST(Trace, OfNothingHasNoFramesAndNoIds) {
   EXPECT_EQ(Trace().ids(), 0U);
   EXPECT_THAT(frames->boxes(), IsEmpty());
   EXPECT_THAT(frames->bodies(), IsEmpty());
+  EXPECT_THAT(frames->moved(), IsEmpty());
+  EXPECT_THAT(frames->removed(), IsEmpty());
   EXPECT_FALSE(frames->bodies_come_and_go());
   EXPECT_FALSE(frames->advance());
 }

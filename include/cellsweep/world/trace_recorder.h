@@ -45,6 +45,7 @@ class CELLSWEEP_API TraceRecorder {
 
   Body* find(BodyId id);
   void make_room();
+  void enter(BodyId number, const Aabb& box, const BodyFilter& filter);
   void note(BodyId number);
   void leave(BodyId number);
   void list_frame();
