@@ -184,7 +184,7 @@ void register_cost_rows() {
     register_row("keys/" + std::to_string(bits) + "-bits", 0, [bits] { return key_cost(bits); });
   }
   for (const std::size_t ids :
-       {tuning::kListedIds / 2, tuning::kListedIds - 1, tuning::kListedIds + 1, 2 * tuning::kListedIds}) {
+       {tuning::kTableWaits / 2, tuning::kTableWaits - 1, tuning::kTableWaits + 1, 2 * tuning::kTableWaits}) {
     register_row("ids/" + std::to_string(ids), 0, [ids] { return id_cost(ids); });
   }
 }

@@ -9,6 +9,15 @@
 #include "base/tuning.h"
 
 namespace cellsweep {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
 
 Crew::Crew(std::shared_ptr<Executor> executor, unsigned workers, Choice choice)
     : executor_(std::move(executor)), workers_(workers), active_(workers), choice_(choice) {}
@@ -52,20 +61,24 @@ void Crew::run_all(Call call, const void* context) {
   if (job.error) std::rethrow_exception(job.error);
 }
 
-// The quickest of a few: the system delays one now and then.
+// By how much tasks that take a while take longer where all workers have one than where the caller alone has:
+// until another thread takes one. The quickest of a few: the system delays one now and then.
 double Crew::seconds_to_dispatch() {
   if (dispatch_ >= 0) return dispatch_;
-  using Clock = std::chrono::steady_clock;
+  const auto take_a_while = [](unsigned) {
+    const Clock::time_point start = Clock::now();
+    while (Clock::now() - start < std::chrono::duration<double>(tuning::kTrialTask)) continue;
+  };
   const unsigned before = active_;
   use(workers_);
-  run([](unsigned) {});
+  run(take_a_while);
   double quickest = 1;
   for (int i = 0; i < tuning::kDispatches; ++i) {
     const Clock::time_point start = Clock::now();
-    run([](unsigned) {});
-    quickest = std::min(quickest, std::chrono::duration<double>(Clock::now() - start).count());
+    run(take_a_while);
+    quickest = std::min(quickest, seconds_since(start));
   }
-  dispatch_ = quickest;
+  dispatch_ = std::max(quickest - tuning::kTrialTask, 0.0);
   use(before);
   return dispatch_;
 }

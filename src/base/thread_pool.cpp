@@ -50,16 +50,13 @@ void ThreadPool::start_threads() {
   if (no_more_ || threads_.size() + 1 == concurrency_) return;
   threads_.reserve(concurrency_ - 1);
   try {
-    while (threads_.size() + 1 < concurrency_) {
-      const auto index = static_cast<unsigned>(threads_.size() + 1);
-      threads_.emplace_back([this, index] { work(index); });
-    }
+    while (threads_.size() + 1 < concurrency_) threads_.emplace_back([this] { work(); });
   } catch (const std::system_error&) {
     no_more_ = true;
   }
 }
 
-void ThreadPool::work(unsigned index) {
+void ThreadPool::work() {
   std::uint32_t seen = 0;
   for (;;) {
     wait_while(job_, seen, spins_);
@@ -67,25 +64,39 @@ void ThreadPool::work(unsigned index) {
     if (now == seen) continue;
     seen = now;
     if (stop_) return;
-    if (index < count_) task_(context_, index);
+    do_tasks_left();
+  }
+}
+
+// A thread that comes late may find the tasks of the next job, which are as good. What the job is may be read
+// only with a task of it in hand: the caller waits for that.
+void ThreadPool::do_tasks_left() {
+  std::uint32_t left = left_.load(std::memory_order_acquire);
+  while (left > 0) {
+    if (!left_.compare_exchange_weak(left, left - 1, std::memory_order_acq_rel, std::memory_order_acquire))
+      continue;
+    task_(context_, left);
     if (running_.fetch_sub(1, std::memory_order_acq_rel) == 1) running_.notify_one();
+    left = left_.load(std::memory_order_acquire);
   }
 }
 
 void ThreadPool::run(unsigned count, Task task, void* context) {
+  if (count == 0) return;
   if (count > 1) start_threads();
-  const auto others = static_cast<unsigned>(threads_.size());
-  if (count > 1 && others > 0) {
-    count_ = count;
-    task_ = task;
-    context_ = context;
-    running_.store(others, std::memory_order_relaxed);
-    job_.fetch_add(1, std::memory_order_release);
-    job_.notify_all();
+  if (count == 1 || threads_.empty()) {
+    for (unsigned index = 0; index < count; ++index) task(context, index);
+    return;
   }
-  if (count > 0) task(context, 0);
-  for (unsigned index = others + 1; index < count; ++index) task(context, index);
-  if (count > 1 && others > 0) wait_for_others();
+  task_ = task;
+  context_ = context;
+  running_.store(count - 1, std::memory_order_relaxed);
+  left_.store(count - 1, std::memory_order_release);
+  job_.fetch_add(1, std::memory_order_release);
+  job_.notify_all();
+  task(context, 0);
+  do_tasks_left();
+  wait_for_others();
 }
 
 void ThreadPool::wait_for_others() {

@@ -15,8 +15,9 @@ namespace cellsweep {
 /// The processors of this machine that the program may use; asked for once.
 unsigned machine_threads();
 
-/// Threads start when they are first needed; where the system does not give as many, the calling thread does
-/// what they would have done. One caller at a time.
+/// Threads start when they are first needed. Tasks that no thread has begun when the caller has done its own
+/// are done by the caller: nobody waits for a thread that starts, wakes up late or is not to be had. One
+/// caller at a time.
 class ThreadPool final : public Executor {
  public:
   /// `concurrency` counts the caller: 1 never starts a thread.
@@ -30,19 +31,20 @@ class ThreadPool final : public Executor {
 
  private:
   void start_threads();
-  void work(unsigned index);
+  void work();
+  void do_tasks_left();
   void wait_for_others();
 
   unsigned concurrency_;
   int spins_;
   bool no_more_ = false;  // threads to be had
-  bool stop_ = false;
+  std::atomic<bool> stop_ = false;
   std::vector<std::thread> threads_;
-  unsigned count_ = 0;
   Task task_ = nullptr;
   void* context_ = nullptr;
   alignas(64) std::atomic<std::uint32_t> job_ = 0;      // counts jobs; threads wait for it to change
-  alignas(64) std::atomic<std::uint32_t> running_ = 0;  // threads that have not finished the job
+  alignas(64) std::atomic<std::uint32_t> left_ = 0;     // tasks that nobody has begun: 1 ... left_
+  alignas(64) std::atomic<std::uint32_t> running_ = 0;  // tasks but the first that have not returned
 };
 
 }  // namespace cellsweep

@@ -24,7 +24,10 @@ inline constexpr double kTooSmall = 100e-6;
 inline constexpr double kStartCost = 300e-6;
 /// A frame has about so many jobs for the workers.
 inline constexpr double kJobs = 8;
-/// Dispatches of an empty job of which the quickest counts.
+/// What a dispatch takes is measured with tasks that take so many seconds: a thread that has not begun its
+/// own by then is too late. EPYC, threads/.
+inline constexpr double kTrialTask = 10e-6;
+/// Dispatches of which the quickest counts.
 inline constexpr int kDispatches = 3;
 /// So many times that is too much for what workers would save, and it is measured again. How often a machine
 /// has bad moments no measurement tells: to measure again takes four dispatches, little beside what so many
@@ -34,6 +37,7 @@ inline constexpr std::uint64_t kPatience = 32;
 // --- seconds of one body or pair on one thread: first guesses, which every update corrects
 // --------------------
 
+inline constexpr double kInsertGuess = 4e-9;     ///< to check and remember a new body. EPYC, uniform 100,000
 inline constexpr double kMoveGuess = 4e-9;       ///< to check and remember a move. EPYC, uniform 100,000
 inline constexpr double kFullGuess = 50e-9;      ///< to find everything anew. EPYC, uniform 10,000, initial
 inline constexpr double kPartialGuess = 200e-9;  ///< to look at one changed fat box. EPYC, uniform 10,000
@@ -81,6 +85,11 @@ inline constexpr std::size_t kEdgeSample = 32;
 /// ones, which only the sample knows of, reach into some 200 cells; so rare that it has none of them they are
 /// cheap. EPYC, uniform 10,000, one in 200 a wall: the same to both sides of the limit.
 inline constexpr float kLargeEdges = 12;
+/// Where the sample has a large box, so many boxes tell how many there are, in runs of so many, when they
+/// have so many large ones; else all boxes do. EPYC, varied 10,000 and 100,000: 3 ns a box less.
+inline constexpr std::size_t kLargeSample = 1024;
+inline constexpr std::size_t kRunOfSample = 16;
+inline constexpr double kManyLarge = 16;
 /// When boxes reach into more cells than so many times what a few of them made expect, a grid is chosen
 /// again, after a look at all: that takes 7 ns a box. EPYC, varied and uniform, 100,000.
 inline constexpr double kManyCopies = 1.5;
@@ -163,7 +172,10 @@ inline constexpr std::size_t kCopies = 8;
 /// EPYC, all new, 1,000 to 100,000.
 inline constexpr std::size_t kIdsAhead = 16;
 inline constexpr std::size_t kFarEntries = 65536;
-/// So many scattered ids, all of them new, are sorted; fewer are put into a table at once. EPYC, all new.
-inline constexpr std::size_t kListedIds = 4096;
+/// The table of so many scattered ids, all of them new, is made when one is looked up. EPYC, all new.
+inline constexpr std::size_t kTableWaits = 1024;
+/// Whether these differ is told by so many bits of a hash for each. EPYC, 300 to 1,000,000: with 8 or 4 as
+/// much or more.
+inline constexpr std::size_t kBitsOfId = 16;
 
 }  // namespace cellsweep::tuning

@@ -33,18 +33,21 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
     return call();
   }
 
-  Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
-    return traced("insert", [&] { return bodies_.insert(ids, boxes, parts_.name, capacity_); });
-  }
   Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
-                std::span<const BodyFilter> filters) {
-    return traced("insert", [&] { return bodies_.insert(ids, boxes, filters, parts_.name, capacity_); });
+                std::span<const BodyFilter> filters = {}) {
+    return traced("insert", [&] {
+      crew_.plan(ids.size(), tuning::kInsertGuess);
+      return bodies_.insert(crew_, ids, boxes, filters, parts_.name, capacity_);
+    });
   }
   Status set_filters(std::span<const BodyId> ids, std::span<const BodyFilter> filters) {
     return traced("filters", [&] { return bodies_.set_filters(ids, filters); });
   }
   Status add(std::span<const Aabb> boxes, std::span<BodyId> ids) {
-    return traced("insert", [&] { return bodies_.add(boxes, ids, parts_.name, capacity_); });
+    return traced("insert", [&] {
+      crew_.plan(ids.size(), tuning::kInsertGuess);
+      return bodies_.add(crew_, boxes, ids, parts_.name, capacity_);
+    });
   }
   Status move(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
     return traced("move", [&] {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <memory>
@@ -21,10 +22,13 @@
 namespace cellsweep {
 namespace {
 
+/// How long tasks take: a thread that has not begun one by the time the others are done comes too late.
+enum class Length { short_ones, long_ones };
+
 /// Counts how often each task was run and on which threads.
 class Tasks {
  public:
-  explicit Tasks(unsigned count) : calls_(count) {}
+  explicit Tasks(unsigned count, Length length = Length::short_ones) : length_(length), calls_(count) {}
 
   void run_on(Executor& executor) {
     executor.run(
@@ -37,10 +41,12 @@ class Tasks {
  private:
   void run(unsigned index) {
     ++calls_.at(index);  // without a lock: it must be the only one
+    if (length_ == Length::long_ones) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     const std::lock_guard lock(mutex_);
     threads_.insert(std::this_thread::get_id());
   }
 
+  Length length_;
   std::vector<int> calls_;
   std::mutex mutex_;
   std::set<std::thread::id> threads_;
@@ -92,11 +98,26 @@ TEST(ThreadPool, KeepsItsThreadsFromOneCallToTheNext) {
   ThreadPool pool(3);
   std::set<std::thread::id> threads;
   for (int round = 0; round < 100; ++round) {
-    Tasks tasks(3);
+    Tasks tasks(3, Length::long_ones);
     tasks.run_on(pool);
     threads.insert(tasks.threads().begin(), tasks.threads().end());
   }
   EXPECT_EQ(threads.size(), 3U);
+}
+
+TEST(ThreadPool, DoesNotWaitForAThreadThatHasNothingToDo) {
+  ThreadPool pool(3);
+  const auto wait_for_a_late_thread = [](void* of, unsigned index) {
+    auto& others = *static_cast<std::atomic<int>*>(of);
+    if (index > 0) ++others;
+    while (index == 0 && others == 0) std::this_thread::yield();
+  };
+  for (int round = 0; round < 200; ++round) {
+    std::atomic<int> others = 0;
+    pool.run(3, wait_for_a_late_thread, &others);
+    ASSERT_EQ(others, 2);
+    run_and_check(pool, 3);  // which is over before the last thread looks, or is helped by it
+  }
 }
 
 TEST(ThreadPool, SeesWhatWasWrittenBeforeACallAndShowsWhatItsTasksWrote) {
@@ -206,7 +227,7 @@ TEST(ThreadPool, RunsEveryTaskOnceWhereTheSystemGivesFewerThreadsThanAskedFor) {
   {
     const StackSize stack(kStack);
     ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
-    Tasks first(9);
+    Tasks first(9, Length::long_ones);
     first.run_on(pool);
     ASSERT_EQ(setrlimit(RLIMIT_AS, &before), 0);
     EXPECT_THAT(first.calls(), testing::Each(1));

@@ -94,7 +94,7 @@ class Rooms {
   const std::map<BodyId, Aabb>& held() const { return held_; }
 
   Status insert(const Ids& ids, const std::vector<Aabb>& boxes) {
-    const Status status = bodies_.insert(ids, boxes, "test", kAnyNumber);
+    const Status status = bodies_.insert(crew_, ids, boxes, {}, "test", kAnyNumber);
     if (!status.ok()) return status;
     for (std::size_t i = 0; i < ids.size(); ++i) held_[ids[i]] = boxes[i];
     return status;
@@ -119,7 +119,7 @@ class Rooms {
 
   void add(const std::vector<Aabb>& boxes) {
     Ids ids(boxes.size());
-    ASSERT_TRUE(bodies_.add(boxes, ids, "test", kAnyNumber).ok());
+    ASSERT_TRUE(bodies_.add(crew_, boxes, ids, "test", kAnyNumber).ok());
     for (std::size_t i = 0; i < ids.size(); ++i) {
       ASSERT_FALSE(gone_.contains(ids[i])) << "its pairs have not ended";
       ASSERT_TRUE(held_.emplace(ids[i], boxes[i]).second);

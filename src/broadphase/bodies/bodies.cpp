@@ -12,9 +12,6 @@
 namespace cellsweep {
 namespace {
 
-/// A caller that moves so few at a time will do so again: every one of them is looked up.
-constexpr std::size_t kFewMoves = 32;
-
 /// Bodies as the last update saw them, whatever became of their ids since.
 class SeenBodies {
  public:
@@ -40,27 +37,22 @@ class SeenBodies {
 
 }  // namespace
 
-Status Bodies::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes, std::string_view engine,
-                      const Capacity& capacity) {
-  return insert(ids, boxes, {}, engine, capacity);
-}
-
-// No filters: the default for all.
-Status Bodies::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
+Status Bodies::insert(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes,
                       std::span<const BodyFilter> filters, std::string_view engine,
                       const Capacity& capacity) {
   if (ids.size() != boxes.size()) return length_status(ids.size(), boxes.size());
   if (!filters.empty() && ids.size() != filters.size())
     return length_status(ids.size(), filters.size(), "filters");
-  const bool clean = are_clean(boxes);
-  if (!clean && !are_valid(boxes)) return find_invalid_boxes(ids, boxes);
   if (Status status = check_room(engine, capacity, ids.size()); !status.ok()) {
+    if (!are_valid(boxes)) return find_invalid_boxes(ids, boxes);
     if (Status twice = find_listed_twice(ids); !twice.ok()) return twice;
     if (Status held = find_held(table_, ids); !held.ok()) return held;
     return status;
   }
   const std::size_t slots = table_.slot_count() + ids.size();
   boxes_.reserve(slots);
+  const bool staged = table_.appends() && boxes_.stage(crew, boxes);
+  if (!staged && !are_valid(boxes)) return find_invalid_boxes(ids, boxes);
   if (!filters.empty() || filters_.in_use()) filters_.reserve(slots, 0);
   const std::size_t before = inserted_.size();
   if (!table_.insert(ids, inserted_)) {
@@ -68,7 +60,11 @@ Status Bodies::insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
     return find_held(table_, ids);
   }
   const std::span<const Slot> inserted = std::span(inserted_).subspan(before);
-  boxes_.insert(inserted, boxes, clean);
+  if (staged) {
+    boxes_.insert_staged(boxes.size());
+  } else {
+    boxes_.insert(inserted, boxes);
+  }
   if (filters.empty() && !filters_.in_use()) return {};
   for (std::size_t i = 0; i < inserted.size(); ++i)
     filters_.set(inserted[i], filters.empty() ? BodyFilter{} : filters[i]);
@@ -96,7 +92,7 @@ void Bodies::set_filter(Slot slot, const BodyFilter& filter) {
   const Aabb box = boxes_.next_box(slot);
   const Slot next = table_.renew_slot(slot);
   boxes_.remove(slot);
-  boxes_.insert({&next, 1}, {&box, 1}, true);
+  boxes_.insert({&next, 1}, {&box, 1});
   inserted_.push_back(next);
   filters_.set(next, filter);
   filters_.move(slot, next);
@@ -109,14 +105,14 @@ Status Bodies::check_room(std::string_view engine, const Capacity& capacity, std
   return check_capacity(engine, capacity, slots > kSlotMask ? std::max(slots, capacity.bodies + 1) : bodies);
 }
 
-Status Bodies::add(std::span<const Aabb> boxes, std::span<BodyId> ids, std::string_view engine,
+Status Bodies::add(Crew& crew, std::span<const Aabb> boxes, std::span<BodyId> ids, std::string_view engine,
                    const Capacity& capacity) {
   if (ids.size() != boxes.size()) return length_status(ids.size(), boxes.size());
   if (!are_valid(boxes)) return find_invalid_boxes({}, boxes);
   if (Status status = check_room(engine, capacity, ids.size()); !status.ok()) return status;
   slots_.resize(ids.size());
   table_.choose_ids(slots_);
-  if (Status status = insert(slots_, boxes, engine, capacity); !status.ok()) return status;
+  if (Status status = insert(crew, slots_, boxes, {}, engine, capacity); !status.ok()) return status;
   std::copy(slots_.begin(), slots_.end(), ids.begin());
   return {};
 }
@@ -135,17 +131,6 @@ Status Bodies::move(Crew& crew, std::span<const BodyId> ids, std::span<const Aab
 }
 
 bool Bodies::check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes) {
-  if (ids.size() <= kFewMoves) table_.make_table();
-  run_checks(crew, ids, boxes);
-  const auto all_checks = std::span(checks_).first(crew.active());
-  if (std::ranges::any_of(all_checks, &MoveCheck::needs_table)) {
-    table_.make_table();
-    run_checks(crew, ids, boxes);
-  }
-  return std::ranges::all_of(all_checks, &MoveCheck::good);
-}
-
-void Bodies::run_checks(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes) {
   checks_.resize(crew.workers());
   if (moved_.size() < ids.size()) moved_.resize(ids.size());
   const HeldBodies held{table_, boxes_};
@@ -153,6 +138,7 @@ void Bodies::run_checks(Crew& crew, std::span<const BodyId> ids, std::span<const
     const Share share = Share::of(ids.size(), worker, crew.active());
     checks_[worker].run(held, ids, boxes, share, moved_.data());
   });
+  return std::ranges::all_of(std::span(checks_).first(crew.active()), &MoveCheck::good);
 }
 
 MovedBodies Bodies::checked_moves(const Crew& crew, std::span<const Aabb> boxes) const {

@@ -23,12 +23,11 @@ namespace cellsweep {
 /// std::bad_alloc has changed nothing.
 class Bodies {
  public:
-  /// The input calls of Broadphase. `engine` and `capacity` are for the sentence that refuses one.
-  Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes, std::string_view engine,
-                const Capacity& capacity);
-  Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes, std::span<const BodyFilter> filters,
-                std::string_view engine, const Capacity& capacity);
-  Status add(std::span<const Aabb> boxes, std::span<BodyId> ids, std::string_view engine,
+  /// The input calls of Broadphase; no filters are the default for all. `engine` and `capacity` are for the
+  /// sentence that refuses one.
+  Status insert(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes,
+                std::span<const BodyFilter> filters, std::string_view engine, const Capacity& capacity);
+  Status add(Crew& crew, std::span<const Aabb> boxes, std::span<BodyId> ids, std::string_view engine,
              const Capacity& capacity);
   Status set_filters(std::span<const BodyId> ids, std::span<const BodyFilter> filters);
   Status move(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
@@ -66,7 +65,6 @@ class Bodies {
  private:
   Status check_room(std::string_view engine, const Capacity& capacity, std::size_t more) const;
   bool check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
-  void run_checks(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
   void set_filter(Slot slot, const BodyFilter& filter);
   MovedBodies checked_moves(const Crew& crew, std::span<const Aabb> boxes) const;
 

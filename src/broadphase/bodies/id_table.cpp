@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/tuning.h"
+#include "broadphase/bodies/distinct_ids.h"
 
 namespace cellsweep {
 namespace {
@@ -13,11 +14,23 @@ namespace {
 /// A direct table may have this many entries for each body.
 constexpr std::size_t kDirectEntries = 4;
 constexpr std::size_t kSmallTable = 1024;
+
 /// Whether each id is one more than the one before.
 bool are_consecutive(std::span<const BodyId> ids) {
   BodyId differs = 0;
   for (std::size_t i = 0; i < ids.size(); ++i) differs |= ids[i] ^ (ids[0] + static_cast<BodyId>(i));
   return differs == 0 && (ids.empty() || ids.front() <= ids.back());
+}
+
+void append_numbers(Vector<Slot>& numbers, std::size_t count, Slot first) {
+  const std::size_t before = numbers.size();
+  numbers.resize(before + count);
+  std::iota(numbers.begin() + static_cast<std::ptrdiff_t>(before), numbers.end(), first);
+}
+
+/// So many bodies are worth a direct table of so many entries.
+std::size_t direct_entries(std::size_t bodies) {
+  return std::min(kDirectEntries * bodies + kSmallTable, std::size_t{std::numeric_limits<BodyId>::max()});
 }
 
 /// Whether a few of them are: these tell ids that lie far apart.
@@ -34,8 +47,7 @@ bool some_are_below(BodyId most, std::span<const BodyId> ids) {
 
 // As far as most of the ids reach.
 void IdTable::grow_direct(std::span<const BodyId> ids) {
-  const std::size_t room = kDirectEntries * (size_ + ids.size()) + kSmallTable;
-  const auto most = static_cast<BodyId>(std::min(room, std::size_t{std::numeric_limits<BodyId>::max()}));
+  const auto most = static_cast<BodyId>(direct_entries(size_ + ids.size()));
   if (!some_are_below(most, ids)) return;
   std::uint32_t count = 0;
   BodyId largest = 0;
@@ -49,23 +61,23 @@ void IdTable::grow_direct(std::span<const BodyId> ids) {
   direct_.resize(entries, kNoSlot);
 }
 
-void IdTable::make_table() {
-  if (listed_.empty()) return;
-  sparse_.reserve(ids_.size());
-  sparse_.insert_run(ids_, 0);
-  listed_ = ListedIds();
+void IdTable::make_table() const {
+  table_.finish([&] {
+    sparse_.reserve(ids_.size());
+    sparse_.insert_run(ids_, 0);
+  });
 }
 
-// Many of nobody's ids, all of them far apart.
-bool IdTable::can_be_listed(std::span<const BodyId> ids) const {
-  return ids_.empty() && direct_.empty() && ids.size() >= tuning::kListedIds;
+// The first bodies, with many ids that are far apart.
+bool IdTable::can_wait_for_table(std::span<const BodyId> ids) const {
+  return ids_.empty() && direct_.empty() && ids.size() >= tuning::kTableWaits;
 }
 
 void IdTable::reserve_for(std::span<const BodyId> ids) {
   make_table();
   grow_direct(ids);
   make_room(ids_, ids_.size() + ids.size());
-  if (can_be_listed(ids)) return;
+  if (can_wait_for_table(ids)) return;
   const auto is_sparse_id = [&](BodyId id) { return id >= direct_.size(); };
   const auto sparse = direct_.empty()
                           ? ids.size()
@@ -106,12 +118,16 @@ void IdTable::take_slot(BodyId id) {
 }
 
 bool IdTable::insert(std::span<const BodyId> ids, Vector<Slot>& slots) {
+  if (is_new_run(ids)) {
+    insert_new_run(ids, slots);
+    return true;
+  }
   reserve_for(ids);
   make_room(slots, slots.size() + ids.size());
   if (!map_all(ids)) return false;
   ++version_;
   if (free_.empty()) {
-    append(ids, slots);
+    append(ids, slots, are_consecutive(ids));
     return true;
   }
   for (const BodyId id : ids) {
@@ -121,12 +137,29 @@ bool IdTable::insert(std::span<const BodyId> ids, Vector<Slot>& slots) {
   return true;
 }
 
+// Consecutive ids behind all entries of the direct table, the only one in use.
+bool IdTable::is_new_run(std::span<const BodyId> ids) const {
+  return !ids.empty() && free_.empty() && sparse_.size() == 0 && has_table() &&
+         ids.front() >= direct_.size() && ids.back() < direct_entries(size_ + ids.size()) &&
+         are_consecutive(ids);
+}
+
+void IdTable::insert_new_run(std::span<const BodyId> ids, Vector<Slot>& slots) {
+  make_room(direct_, std::size_t{ids.back()} + 1);
+  make_room(ids_, ids_.size() + ids.size());
+  make_room(slots, slots.size() + ids.size());
+  direct_.resize(ids.front(), kNoSlot);
+  append_numbers(direct_, ids.size(), next_slot(0));
+  ++version_;
+  append(ids, slots, true);
+}
+
 // All of them behind those that there are.
-void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
+void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots, bool consecutive) {
   const auto first = static_cast<Slot>(ids_.size());
   bool identical = identical_;
   bool ascending = ascending_ && (first == 0 || ids.empty() || ids_.back() < ids[0]);
-  if (are_consecutive(ids)) {
+  if (consecutive) {
     identical = identical && (ids.empty() || ids[0] == first);
   } else {
     identical = false;
@@ -138,15 +171,17 @@ void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots) {
   ascending_ = ascending;
   ids_.insert(ids_.end(), ids.begin(), ids.end());
   size_ += ids.size();
-  const std::size_t before = slots.size();
-  slots.resize(before + ids.size());
-  std::iota(slots.begin() + static_cast<std::ptrdiff_t>(before), slots.end(), first);
+  append_numbers(slots, ids.size(), first);
 }
 
 // Maps all ids to the slots that they will get, or none.
 bool IdTable::map_all(std::span<const BodyId> ids) {
   if (map_run(ids)) return true;
-  if (can_be_listed(ids)) return listed_.list(ids);
+  if (can_wait_for_table(ids)) {
+    if (!are_distinct(ids)) return false;
+    table_.put_off();
+    return true;
+  }
   if (direct_.empty() && free_.empty()) {
     const std::size_t mapped = sparse_.insert_run(ids, next_slot(0));
     if (mapped == ids.size()) return true;
@@ -246,7 +281,7 @@ IdTable IdTable::renumbered(Vector<Slot>& before) const {
 
 std::size_t IdTable::bytes() const {
   return (ids_.capacity() + direct_.capacity() + free_.capacity() + removed_.capacity()) * sizeof(BodyId) +
-         sparse_.bytes() + listed_.bytes();
+         sparse_.bytes();
 }
 
 }  // namespace cellsweep

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "base/deferred.h"
 #include "base/memory/array.h"
-#include "broadphase/bodies/listed_ids.h"
 #include "broadphase/bodies/sparse_ids.h"
 #include "cellsweep/engine/slots.h"
 #include "cellsweep/pair.h"
@@ -23,21 +23,21 @@ class IdTable {
   /// Slots in use, freed or waiting for release().
   std::size_t slot_count() const { return ids_.size(); }
 
-  /// The slot of a body, or kNoSlot.
+  /// The slot of a body, or kNoSlot. From any number of threads, while nothing else is called. Throws
+  /// std::bad_alloc where a table is to be made for it, and nothing has changed.
   Slot find(BodyId id) const {
     if (id < direct_.size() && direct_[id] != kNoSlot) return direct_[id];
-    return listed_.empty() ? sparse_.find(id) : listed_.find(id);
+    make_table();
+    return sparse_.find(id);
   }
 
-  /// True when find() is slow, as it is after insert() of one large batch of scattered ids until a table of
-  /// them is made.
-  bool is_listed() const { return !listed_.empty(); }
-  /// Makes that table, if it is not there. Throws std::bad_alloc, and nothing has changed.
-  void make_table();
+  /// False after insert() of one large batch of scattered ids until one of them is looked up: bodies that are
+  /// named again in the order in which they came need no table.
+  bool has_table() const { return !table_.waits(); }
 
-  /// Has the memory ready in which find() will look.
+  /// Has the memory ready in which find() will look, where there is a table.
   void prefetch(BodyId id) const {
-    if (id >= direct_.size()) sparse_.prefetch(id);
+    if (id >= direct_.size() && has_table()) sparse_.prefetch(id);
   }
 
   /// Adds bodies and appends the slots that they get. False, and nothing has changed, when one is held or
@@ -78,6 +78,8 @@ class IdTable {
   bool is_identical() const { return identical_; }
   /// True when slots are in the order of their ids.
   bool is_ascending() const { return ascending_; }
+  /// True when the next bodies get slots behind all others, in order.
+  bool appends() const { return free_.empty(); }
   /// True when there is a body in every slot.
   bool is_full() const { return size_ == ids_.size(); }
   /// Counts what changes about which id belongs to which slot.
@@ -88,13 +90,16 @@ class IdTable {
 
  private:
   void reserve_for(std::span<const BodyId> ids);
-  bool can_be_listed(std::span<const BodyId> ids) const;
+  void make_table() const;
+  bool can_wait_for_table(std::span<const BodyId> ids) const;
   void grow_direct(std::span<const BodyId> ids);
   bool map(BodyId id, Slot slot);
   void unmap(BodyId id);
   bool map_all(std::span<const BodyId> ids);
   bool map_run(std::span<const BodyId> ids);
-  void append(std::span<const BodyId> ids, Vector<Slot>& slots);
+  bool is_new_run(std::span<const BodyId> ids) const;
+  void insert_new_run(std::span<const BodyId> ids, Vector<Slot>& slots);
+  void append(std::span<const BodyId> ids, Vector<Slot>& slots, bool consecutive);
   // The slot that is given out when so many have been given out before.
   Slot next_slot(std::size_t before) const {
     return before < free_.size() ? free_[free_.size() - 1 - before]
@@ -107,11 +112,11 @@ class IdTable {
   bool ascending_ = true;
   std::uint64_t version_ = 0;
   Vector<BodyId> ids_;
-  Vector<Slot> direct_;   // slots of ids below its size
-  SparseIds sparse_;      // and of the others,
-  ListedIds listed_;      // or all of them
-  Vector<Slot> free_;     // the last is given out first
-  Vector<Slot> removed_;  // until release()
+  Vector<Slot> direct_;       // slots of ids below its size
+  mutable SparseIds sparse_;  // and of the others,
+  Deferred table_;            // once somebody looks one up
+  Vector<Slot> free_;         // the last is given out first
+  Vector<Slot> removed_;      // until release()
 };
 
 }  // namespace cellsweep

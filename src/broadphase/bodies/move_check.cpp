@@ -34,6 +34,7 @@ bool are_right(const HeldBodies& held, std::span<const BodyId> ids, const Slot* 
 void MoveCheck::run(const HeldBodies& held, std::span<const BodyId> ids, std::span<const Aabb> boxes,
                     Share share, Slot* slots) {
   *this = {};
+  next_ = static_cast<Slot>(share.first);
   for (std::size_t first = share.first; good_ && first < share.last; first += kCheckBlock) {
     const std::size_t count = std::min(kCheckBlock, share.last - first);
     check_block(held, ids.subspan(first, count), boxes.subspan(first, count), slots + first);
@@ -86,8 +87,6 @@ bool MoveCheck::note_slots(std::span<const Slot> slots) {
 
 // Bodies that are here and there: where one is found is on its way while the others are looked up.
 bool MoveCheck::look_up(const HeldBodies& held, std::span<const BodyId> ids, Slot* slots) {
-  needs_table_ = held.table.is_listed();
-  if (needs_table_) return good_ = false;
   for (const BodyId id : ids) held.table.prefetch(id);
   std::transform(ids.begin(), ids.end(), slots, [&](BodyId id) { return held.table.find(id); });
   good_ = good_ && std::find(slots, slots + ids.size(), kNoSlot) == slots + ids.size();

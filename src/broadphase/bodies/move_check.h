@@ -22,14 +22,12 @@ struct HeldBodies {
 class MoveCheck {
  public:
   /// Writes the slots of the bodies. What `slots` held before is a guess: callers often name the same bodies
-  /// in the same order again.
+  /// in the same order again. Throws std::bad_alloc where IdTable::find() does.
   void run(const HeldBodies& held, std::span<const BodyId> ids, std::span<const Aabb> boxes, Share share,
            Slot* slots);
 
   /// No id is unknown, no box invalid. When false, the rest means nothing.
   bool good() const { return good_; }
-  /// It is not good() only because ids were to be looked up one by one, for which there is no table.
-  bool needs_table() const { return needs_table_; }
   /// Every box is canonical as it is.
   bool clean() const { return clean_; }
   /// Every body is at rest and is given the box that it has.
@@ -50,7 +48,6 @@ class MoveCheck {
   bool look_up(const HeldBodies& held, std::span<const BodyId> ids, Slot* slots);
 
   bool good_ = true;
-  bool needs_table_ = false;
   bool clean_ = true;
   bool ascends_ = true;
   bool nobody_moves_ = true;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstring>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "base/memory/array.h"
+#include "broadphase/bodies/box_checks.h"
 #include "geometry/box_lanes.h"
 #include "geometry/canonical.h"
 
@@ -16,6 +18,8 @@ namespace {
 
 /// Boxes given again are recognised so many at a time.
 constexpr std::size_t kMoveBlock = 32;
+/// New boxes are looked at and copied so many at a time, which are in the fastest cache then.
+constexpr std::size_t kStageBlock = 128;
 
 /// Looks at all of them, which takes less than to stop early.
 bool are_all(const BodyState* states, std::size_t count, BodyState state) {
@@ -36,20 +40,36 @@ bool StagedBoxes::are_at_rest(Slot first, std::span<const Aabb> boxes) const {
 }
 
 void StagedBoxes::reserve(std::size_t slots) {
-  make_room(boxes_, slots);
+  boxes_.reserve(slots);
   make_room(states_, slots);
-  if (!next_.empty()) make_room(next_, slots);
+  if (!next_.empty()) next_.reserve(slots);
 }
 
-void StagedBoxes::insert(std::span<const Slot> slots, std::span<const Aabb> boxes, bool clean) {
-  if (clean && !slots.empty() && slots.front() == boxes_.size()) {
-    boxes_.insert(boxes_.end(), boxes.begin(), boxes.end());
-    states_.resize(boxes_.size(), kInserted);
-    return;
-  }
+bool StagedBoxes::stage(Crew& crew, std::span<const Aabb> boxes) {
+  std::atomic<bool> clean = true;
+  Aabb* const to = boxes_.data() + boxes_.size();
+  crew.run([&](unsigned worker) {
+    const Share share = Share::of(boxes.size(), worker, crew.active());
+    bool all = true;
+    for (std::size_t first = share.first; first < share.last; first += kStageBlock) {
+      const auto block = boxes.subspan(first, std::min(kStageBlock, share.last - first));
+      all = all && are_clean(block);
+      std::ranges::copy(block, to + first);
+    }
+    if (!all) clean = false;
+  });
+  return clean;
+}
+
+void StagedBoxes::insert_staged(std::size_t count) {
+  boxes_.set_size(boxes_.size() + count);
+  states_.resize(boxes_.size(), kInserted);
+}
+
+void StagedBoxes::insert(std::span<const Slot> slots, std::span<const Aabb> boxes) {
   for (std::size_t i = 0; i < slots.size(); ++i) {
     if (slots[i] == boxes_.size()) {
-      boxes_.push_back(kNobody);
+      boxes_.push(kNobody);
       states_.push_back(kGone);
     }
     boxes_[slots[i]] = canonical(boxes[i]);
@@ -58,8 +78,8 @@ void StagedBoxes::insert(std::span<const Slot> slots, std::span<const Aabb> boxe
 }
 
 void StagedBoxes::reserve_next() {
-  make_room(next_, boxes_.size());
-  next_.resize(boxes_.size());
+  next_.reserve(boxes_.size());
+  next_.set_size(boxes_.size());
 }
 
 void StagedBoxes::move(Crew& crew, const MovedBodies& bodies) {
@@ -160,13 +180,13 @@ BodyChanges StagedBoxes::begin_update() {
     some_moved_are_gone_ = false;
   }
   swapped_all_ = moved_.size() > boxes_.size() / 2;
-  if (moved_.size() + removed_.size() > 0) next_.resize(boxes_.size());
+  if (moved_.size() + removed_.size() > 0) next_.set_size(boxes_.size());
   if (swapped_all_) {
     swap_all();
   } else {
     swap_changed();
   }
-  return {boxes_, next_, removed_.view(), moved_.view(), {}, 0};
+  return {boxes(), std::as_const(next_).view(), removed_.view(), moved_.view(), {}, 0};
 }
 
 void StagedBoxes::swap_all() {
@@ -180,7 +200,7 @@ void StagedBoxes::swap_all() {
     }
     for (const Slot slot : removed_.view()) next_[slot] = kNobody;
   }
-  boxes_.swap(next_);
+  std::swap(boxes_, next_);
 }
 
 void StagedBoxes::swap_changed() {
@@ -190,7 +210,7 @@ void StagedBoxes::swap_changed() {
 
 void StagedBoxes::undo() {
   if (swapped_all_) {
-    boxes_.swap(next_);
+    std::swap(boxes_, next_);
   } else {
     swap_changed();
   }
@@ -204,9 +224,9 @@ void StagedBoxes::commit(std::span<const Slot> inserted) {
 }
 
 void StagedBoxes::renumber(std::span<const Slot> before) {
-  Vector<Aabb> boxes;
+  List<Aabb> boxes;
   boxes.reserve(before.size());
-  for (const Slot slot : before) boxes.push_back(boxes_[slot]);
+  for (const Slot slot : before) boxes.push(boxes_[slot]);
   Vector<BodyState> states(before.size(), kAtRest);
   *this = StagedBoxes();
   boxes_ = std::move(boxes);
@@ -214,8 +234,8 @@ void StagedBoxes::renumber(std::span<const Slot> before) {
 }
 
 std::size_t StagedBoxes::bytes() const {
-  return (boxes_.capacity() + next_.capacity()) * sizeof(Aabb) + states_.capacity() * sizeof(BodyState) +
-         moved_.bytes() + removed_.bytes();
+  return boxes_.bytes() + next_.bytes() + states_.capacity() * sizeof(BodyState) + moved_.bytes() +
+         removed_.bytes();
 }
 
 }  // namespace cellsweep

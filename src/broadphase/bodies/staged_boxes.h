@@ -38,7 +38,7 @@ class StagedBoxes {
   BodyState state(Slot slot) const { return states_[slot]; }
   const BodyState* states() const { return states_.data(); }
   /// As of the last update; of a body that none has seen the one that it begins with.
-  std::span<const Aabb> boxes() const { return boxes_; }
+  std::span<const Aabb> boxes() const { return boxes_.view(); }
   /// Bodies of the last update that were removed since.
   std::span<const Slot> removed() const { return removed_.view(); }
 
@@ -48,10 +48,15 @@ class StagedBoxes {
   /// The box that the next update will bring, of a body that is held.
   const Aabb& next_box(Slot slot) const { return states_[slot] == kMoved ? next_[slot] : boxes_[slot]; }
 
-  /// Makes room for so many slots in all: insert() takes no memory then.
+  /// Makes room for so many slots in all: what inserts takes no memory then.
   void reserve(std::size_t slots);
   /// New slots come behind all others, in order; those that were free before are anywhere.
-  void insert(std::span<const Slot> slots, std::span<const Aabb> boxes, bool clean);
+  void insert(std::span<const Slot> slots, std::span<const Aabb> boxes);
+  /// Copies boxes to where the next slots will be, for which there is room, and says whether they are valid
+  /// and canonical as they are. They count once they are inserted.
+  bool stage(Crew& crew, std::span<const Aabb> boxes);
+  /// So many as were staged by the last call of all, which were clean, into the next slots.
+  void insert_staged(std::size_t count);
 
   /// The last box of several for a body counts.
   void move(Crew& crew, const MovedBodies& bodies);
@@ -80,9 +85,9 @@ class StagedBoxes {
   void swap_all();
   void swap_changed();
 
-  Vector<Aabb> boxes_;
-  Vector<Aabb>
-      next_;  // of those that moved, and kNobody of those that were removed; during an update, before
+  List<Aabb> boxes_;
+  // Of those that moved, and kNobody of those that were removed; during an update, before.
+  List<Aabb> next_;
   Vector<BodyState> states_;
   List<Slot> moved_;
   List<Slot> removed_;

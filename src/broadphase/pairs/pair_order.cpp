@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/pair_of.h"
+
 namespace cellsweep {
 namespace {
 
@@ -35,7 +37,7 @@ void PairOrder::sort_in_slot_order(Crew& crew, const IdTable& table, std::span<c
   if (ascending.empty()) {
     sort_pairs(crew, more, scratch_, pairs);
   } else {
-    list_keys(ascending, more, [](Slot slot) { return slot; });
+    list_keys(crew, ascending, more, [](Slot slot) { return slot; });
     const std::span<const std::uint64_t> all = std::as_const(keys_).view();
     sort_pairs(crew, {&all, 1}, scratch_, pairs);
   }
@@ -45,21 +47,31 @@ void PairOrder::sort_in_slot_order(Crew& crew, const IdTable& table, std::span<c
 
 void PairOrder::sort_by_ids(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending,
                             KeyParts more, Array<Pair>& pairs) {
-  list_keys(ascending, more, [&](Slot slot) { return table.id(slot); });
+  list_keys(crew, ascending, more, [&](Slot slot) { return table.id(slot); });
   const std::span<const std::uint64_t> all = std::as_const(keys_).view();
   sort_pairs(crew, {&all, 1}, scratch_, pairs);
 }
 
-// `number` is what bodies are sorted by.
+// By all workers; `number` is what bodies are sorted by.
 template <class Number>
-void PairOrder::list_keys(std::span<const SlotPair> ascending, KeyParts more, Number&& number) {
+void PairOrder::list_keys(Crew& crew, std::span<const SlotPair> ascending, KeyParts more, Number&& number) {
   keys_.renew(ascending.size() + count_keys(more));
-  std::uint64_t* to = keys_.data();
-  for (const SlotPair& pair : ascending) *to++ = key_of(number(pair.a), number(pair.b));
-  for (const auto part : more) {
-    for (const std::uint64_t key : part)
-      *to++ = key_of(number(static_cast<Slot>(key >> 32)), number(static_cast<Slot>(key)));
-  }
+  const auto list_part = [&](unsigned worker, auto part, std::uint64_t* to, auto&& slots) {
+    const Share share = Share::of(part.size(), worker, crew.active());
+    for (std::size_t i = share.first; i < share.last; ++i) {
+      const SlotPair pair = slots(part[i]);
+      to[i] = key_of(number(pair.a), number(pair.b));
+    }
+  };
+  crew.run([&](unsigned worker) {
+    std::uint64_t* to = keys_.data();
+    list_part(worker, ascending, to, [](SlotPair pair) { return pair; });
+    to += ascending.size();
+    for (const auto part : more) {
+      list_part(worker, part, to, pair_of<SlotPair>);
+      to += part.size();
+    }
+  });
 }
 
 }  // namespace cellsweep

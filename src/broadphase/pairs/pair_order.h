@@ -29,7 +29,7 @@ class PairOrder {
   void sort_by_ids(Crew& crew, const IdTable& table, std::span<const SlotPair> ascending, KeyParts more,
                    Array<Pair>& pairs);
   template <class Number>
-  void list_keys(std::span<const SlotPair> ascending, KeyParts more, Number&& number);
+  void list_keys(Crew& crew, std::span<const SlotPair> ascending, KeyParts more, Number&& number);
 
   Array<std::uint64_t> keys_;
   Array<std::uint64_t> scratch_;

@@ -5,22 +5,18 @@
 #include "base/tuning.h"
 
 namespace cellsweep {
-// Then the list of all is the list of those that began, and nothing need be copied.
-bool PairSet::only_began() const {
-  return pairs_.size() == 0 && notes_.empty() && ended_.size() == 0;
-}
 
 void PairSet::remember_changes() {
-  if (is_listed_.load(std::memory_order_relaxed)) return;
-  if (only_began()) {
+  if (!listing_.waits()) return;
+  if (std::exchange(only_began_, false)) {
     std::swap(pairs_, began_);
     began_.shrink(0);
-    is_listed_.store(true, std::memory_order_relaxed);
+    listing_.put_off(false);
     return;
   }
   const std::size_t notes = notes_.size() + began_.size() + ended_.size();
   if (notes > pairs_.size() / 4 + tuning::kFewNotes) {
-    list_all();
+    pairs();
     return;
   }
   note_changes();
@@ -43,7 +39,8 @@ void PairSet::compare_with_whole_set(std::span<const BodyId> gone) {
 PairChanges PairSet::commit() {
   std::swap(began_, next_began_);
   std::swap(ended_, next_ended_);
-  if (began_.size() + ended_.size() > 0) is_listed_.store(false, std::memory_order_relaxed);
+  only_began_ = pairs_.size() == 0 && notes_.empty() && ended_.size() == 0;
+  if (began_.size() + ended_.size() > 0) listing_.put_off();
   return {std::as_const(began_).view(), std::as_const(ended_).view()};
 }
 
@@ -54,11 +51,8 @@ PairChanges PairSet::commit_nothing() {
 }
 
 std::span<const Pair> PairSet::pairs() const {
-  if (!is_listed_.load(std::memory_order_acquire)) {
-    const std::lock_guard lock(mutex_);
-    if (only_began()) return std::as_const(began_).view();
-    if (!is_listed_.load(std::memory_order_relaxed)) list_all();
-  }
+  if (only_began_ && listing_.waits()) return std::as_const(began_).view();
+  listing_.finish([&] { list_all(); });
   return std::as_const(pairs_).view();
 }
 
@@ -71,7 +65,6 @@ void PairSet::list_all() const {
     notes_.clear();
   }
   std::swap(pairs_, spare_);
-  is_listed_.store(true, std::memory_order_release);
 }
 
 std::size_t PairSet::bytes() const {

@@ -2,11 +2,10 @@
 /// The pairs of a broadphase, ascending by id: what the last update changed, and on demand all of them.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
-#include <mutex>
 #include <span>
 
+#include "base/deferred.h"
 #include "base/memory/array.h"
 #include "base/memory/list.h"
 #include "base/pair_changes.h"
@@ -43,7 +42,6 @@ class PairSet {
   std::size_t bytes() const;
 
  private:
-  bool only_began() const;
   void note_changes() const;
   void list_all() const;
 
@@ -56,8 +54,8 @@ class PairSet {
   mutable Array<Pair> pairs_;     // but for notes_ and the last changes
   mutable Array<Pair> spare_;     // room for the next
   mutable List<PairNote> notes_;  // in the order in which they came
-  mutable std::atomic<bool> is_listed_ = true;
-  mutable std::mutex mutex_;
+  Deferred listing_;              // of what changed last
+  bool only_began_ = true;  // all pairs: the list of those that began is that of all, and nothing is copied
 };
 
 }  // namespace cellsweep

@@ -93,7 +93,7 @@ TEST_F(BodiesTest, BoxesBecomeCanonicalOnTheWayIn) {
   ASSERT_TRUE(insert(bodies_, {5, 6}, {given, box_at(9)}).ok());
   ASSERT_TRUE(move({0}, {given}).ok());
   Ids added(1);
-  ASSERT_TRUE(bodies_.add({&given, 1}, added, "test", kAnyNumber).ok());
+  ASSERT_TRUE(bodies_.add(crew_, {&given, 1}, added, "test", kAnyNumber).ok());
   update(bodies_);
   for (const BodyId id : {BodyId{0}, BodyId{5}, added[0]})
     EXPECT_EQ(box_of(bodies_, id), bits(canonical)) << id;
@@ -285,13 +285,13 @@ TEST_F(BodiesTest, AddedBodiesGetIdsThatNobodyHas) {
   ASSERT_TRUE(insert(bodies_, {4}, {box_at(50)}).ok());
   ASSERT_TRUE(bodies_.remove(Ids{1}).ok());
   Ids ids(3, 99);
-  ASSERT_TRUE(bodies_.add(boxes_from(60, 3), ids, "test", kAnyNumber).ok());
+  ASSERT_TRUE(bodies_.add(crew_, boxes_from(60, 3), ids, "test", kAnyNumber).ok());
   for (const BodyId id : ids) EXPECT_THAT((Ids{0, 1, 2, 4, 99}), testing::Not(testing::Contains(id)));
   EXPECT_EQ(bodies_.size(), 6U);
   update(bodies_);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(box_of(bodies_, ids[i]), bits(boxes_from(60, 3)[i]));
   ids.resize(1);
-  ASSERT_TRUE(bodies_.add(boxes_from(60, 1), ids, "test", kAnyNumber).ok());
+  ASSERT_TRUE(bodies_.add(crew_, boxes_from(60, 1), ids, "test", kAnyNumber).ok());
   EXPECT_THAT(ids, ElementsAre(1U)) << "its pairs have ended";
 }
 

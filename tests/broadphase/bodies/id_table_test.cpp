@@ -8,6 +8,8 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/memory/starved.h"
@@ -459,35 +461,33 @@ TEST(IdTableWithoutMemory, IsAsItWasWhereverThatHappens) {
   EXPECT_EQ(starve(make, room_to_remove, is_kept, is_kept), 2U);
 }
 
-/// So many ids from everywhere that they are listed, not put into a table.
+/// So many ids from everywhere that they wait for their table.
 Ids many_scattered_ids() {
-  Ids ids(tuning::kListedIds + 100);
+  Ids ids(tuning::kTableWaits + 100);
   for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<BodyId>((i + 1) * 2'654'435'761U);
   return ids;
 }
 
-TEST(IdTable, OfManyScatteredIdsIsMadeWhenItIsAskedFor) {
+TEST(IdTable, OfManyScatteredIdsIsMadeWhenOneIsLookedUp) {
   const Ids ids = many_scattered_ids();
-  IdTable table = table_of(ids);
-  EXPECT_TRUE(table.is_listed());
-  const Contents listed = contents_of(table);
-  table.make_table();
-  EXPECT_FALSE(table.is_listed());
-  EXPECT_EQ(contents_of(table), listed);
+  const IdTable table = table_of(ids);
+  EXPECT_FALSE(table.has_table());
+  EXPECT_EQ(table.find(ids[77]), 77U);
+  EXPECT_TRUE(table.has_table());
   for (Slot slot = 0; slot < ids.size(); ++slot) ASSERT_EQ(table.find(ids[slot]), slot);
   EXPECT_EQ(table.find(5), kNoSlot);
 }
 
 TEST(IdTable, OfDenseOrOfFewIdsIsThereAtOnce) {
-  Ids dense(2 * tuning::kListedIds);
+  Ids dense(2 * tuning::kTableWaits);
   std::iota(dense.begin(), dense.end(), 7);
-  EXPECT_FALSE(table_of(dense).is_listed());
+  EXPECT_TRUE(table_of(dense).has_table());
   Ids few = many_scattered_ids();
   few.resize(100);
-  EXPECT_FALSE(table_of(few).is_listed());
+  EXPECT_TRUE(table_of(few).has_table());
 }
 
-TEST(IdTable, OfListedIdsTakesMoreAndLosesSome) {
+TEST(IdTable, ThatWaitsTakesMoreAndLosesSome) {
   const Ids ids = many_scattered_ids();
   IdTable more = table_of(ids);
   EXPECT_THAT(insert(more, {1, 2}), ElementsAre(ids.size(), ids.size() + 1));
@@ -514,13 +514,37 @@ TEST(IdTable, RefusesManyIdsOfWhichTwoAreAlike) {
   EXPECT_EQ(table.size(), ids.size());
 }
 
-TEST(IdTable, OfListedIdsHasChangedInNothingWithoutMemory) {
+TEST(IdTable, ThatWaitsIsMadeOnceForAllThreadsThatLookIdsUp) {
+  const Ids ids = many_scattered_ids();
+  for (int round = 0; round < 20; ++round) {
+    const IdTable table = table_of(ids);
+    std::vector<std::thread> threads;
+    for (Slot first = 0; first < 4; ++first)
+      threads.emplace_back([&, first] {
+        for (Slot slot = first; slot < ids.size(); slot += 4) ASSERT_EQ(table.find(ids[slot]), slot);
+      });
+    for (std::thread& thread : threads) thread.join();
+  }
+}
+
+TEST(IdTable, WaitsForItsTableWhereverItIsMovedTo) {
+  const Ids ids = many_scattered_ids();
+  IdTable first = table_of(ids);
+  IdTable second = std::move(first);
+  EXPECT_FALSE(second.has_table());
+  IdTable third = table_of({1, 2});
+  third = std::move(second);
+  EXPECT_FALSE(third.has_table());
+  EXPECT_EQ(third.find(ids[5]), 5U);
+}
+
+TEST(IdTable, ThatWaitsHasChangedInNothingWithoutMemory) {
   const Ids ids = many_scattered_ids();
   const Contents before = contents_of(table_of(ids));
   const auto is_kept = [&](const IdTable& table) { EXPECT_EQ(contents_of(table), before); };
-  EXPECT_GE(
-      starve([&] { return table_of(ids); }, [](IdTable& table) { table.make_table(); }, is_kept, is_kept),
-      1U);
+  EXPECT_GE(starve([&] { return table_of(ids); },
+                   [&](IdTable& table) { static_cast<void>(table.find(ids[0])); }, is_kept, is_kept),
+            1U);
   EXPECT_GE(starve([&] { return table_of(ids); }, [](IdTable& table) { table.reserve_removals(3); }, is_kept,
                    is_kept),
             2U);

@@ -23,7 +23,7 @@ class MoveCheckTest : public testing::Test {
     Vector<Slot> slots;
     ASSERT_TRUE(table_.insert(ids, slots));
     held_.reserve(table_.slot_count());
-    held_.insert(slots, boxes_from(1000, ids.size()), true);
+    held_.insert(slots, boxes_from(1000, ids.size()));
     held_.begin_update();
     held_.commit(slots);
   }
@@ -217,23 +217,22 @@ TEST_F(MoveCheckTest, FindsEveryBodyOfRandomCalls) {
   }
 }
 
-TEST_F(MoveCheckTest, AsksForTheTableOfListedBodiesOnlyToLookThemUp) {
-  Ids ids(tuning::kListedIds);
+TEST_F(MoveCheckTest, NeedsATableOnlyToLookBodiesUp) {
+  Ids ids(tuning::kTableWaits);
   for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<BodyId>((i + 1) * 2'654'435'761U);
   hold(ids);
-  ASSERT_TRUE(table_.is_listed());
-  run(ids);
-  expect_right(ids);
-  EXPECT_FALSE(check_.needs_table());
+  const std::vector<Aabb> boxes = boxes_from(0, ids.size());
+  for (const Share share : {Share{0, 333}, Share{333, ids.size()}}) {
+    run(ids, boxes, share);
+    EXPECT_TRUE(check_.good());
+  }
+  EXPECT_THAT(slots_, testing::ElementsAreArray(ids_from(0, ids.size())));
+  EXPECT_FALSE(table_.has_table());
   std::ranges::reverse(ids);
   slots_.clear();
   run(ids);
-  EXPECT_FALSE(check_.good());
-  EXPECT_TRUE(check_.needs_table());
-  table_.make_table();
-  run(ids);
+  EXPECT_TRUE(table_.has_table());
   expect_right(ids);
-  EXPECT_FALSE(check_.needs_table());
 }
 
 }  // namespace

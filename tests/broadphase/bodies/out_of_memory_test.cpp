@@ -58,12 +58,13 @@ TEST(BodiesWithoutMemory, AreAsTheyWereBeforeAnInsert) {
 TEST(BodiesWithoutMemory, AreAsTheyWereBeforeAnAdd) {
   const std::vector<Aabb> boxes = boxes_from(500, 5000);
   Ids ids(boxes.size());
-  expect_kept([&](State& state) { ASSERT_TRUE(state.bodies.add(boxes, ids, "test", kAnyNumber).ok()); },
-              [&](const Shown& shown) {
-                EXPECT_EQ(shown.inserted.size(), ids.size() + 3);
-                for (const BodyId id : ids) ASSERT_TRUE(shown.ids.contains(id));
-              },
-              6);
+  expect_kept(
+      [&](State& state) { ASSERT_TRUE(state.bodies.add(state.crew, boxes, ids, "test", kAnyNumber).ok()); },
+      [&](const Shown& shown) {
+        EXPECT_EQ(shown.inserted.size(), ids.size() + 3);
+        for (const BodyId id : ids) ASSERT_TRUE(shown.ids.contains(id));
+      },
+      6);
 }
 
 TEST(BodiesWithoutMemory, AreAsTheyWereBeforeAMove) {

@@ -19,11 +19,11 @@ const Capacity kFewBodies = {15, "few", "of the test"};
 class RefusedCall : public testing::TestWithParam<unsigned> {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(insert(bodies_, {0, 1, 2, 3, 4, 5, 6, 7}, boxes_from(0, 8)).ok());
+    ASSERT_TRUE(insert(crew_, bodies_, {0, 1, 2, 3, 4, 5, 6, 7}, boxes_from(0, 8)).ok());
     update(bodies_);
     ASSERT_TRUE(bodies_.remove(Ids{3}).ok());
     update(bodies_);
-    ASSERT_TRUE(insert(bodies_, {9, 8}, boxes_from(100, 2)).ok());
+    ASSERT_TRUE(insert(crew_, bodies_, {9, 8}, boxes_from(100, 2)).ok());
     ASSERT_TRUE(move({5, 8}, boxes_from(200, 2)).ok());
     ASSERT_TRUE(bodies_.remove(Ids{4}).ok());
     before_ = shown_by(bodies_);
@@ -48,8 +48,8 @@ class RefusedCall : public testing::TestWithParam<unsigned> {
 TEST_P(RefusedCall, SpansOfDifferentLength) {
   Ids ids(2, 77);
   std::vector<Aabb> boxes = boxes_from(0, 3);
-  expect_refused(insert(bodies_, {20, 21}, boxes), StatusCode::bad_input, {});
-  expect_refused(bodies_.add(boxes, ids, "test", kAnyNumber), StatusCode::bad_input, {});
+  expect_refused(insert(crew_, bodies_, {20, 21}, boxes), StatusCode::bad_input, {});
+  expect_refused(bodies_.add(crew_, boxes, ids, "test", kAnyNumber), StatusCode::bad_input, {});
   expect_refused(move({0, 1}, boxes), StatusCode::bad_input, {});
   expect_refused(bodies_.boxes(ids, boxes), StatusCode::bad_input, {});
   EXPECT_THAT(ids, ElementsAre(77U, 77U));
@@ -63,13 +63,27 @@ TEST_P(RefusedCall, AnInvalidBoxWhereverItStands) {
       std::vector<Aabb> boxes = boxes_from(300, 8);
       boxes[bad].max[bad % 3] = value;
       const Ids fresh = ids_from(20, 8);
-      expect_refused(insert(bodies_, fresh, boxes), StatusCode::invalid_box, {fresh[bad]});
+      expect_refused(insert(crew_, bodies_, fresh, boxes), StatusCode::invalid_box, {fresh[bad]});
       expect_refused(move(held, boxes), StatusCode::invalid_box, {held[bad]});
       Ids ids(8, 77);
-      expect_refused(bodies_.add(boxes, ids, "test", kAnyNumber), StatusCode::invalid_box,
+      expect_refused(bodies_.add(crew_, boxes, ids, "test", kAnyNumber), StatusCode::invalid_box,
                      {static_cast<BodyId>(bad)});
       EXPECT_EQ(ids, Ids(8, 77));
     }
+  }
+}
+
+TEST_P(RefusedCall, TheFirstBodiesWithAnInvalidBoxWhereverItStands) {
+  for (std::size_t bad = 0; bad < 300; bad += 7) {
+    std::vector<Aabb> boxes = boxes_from(300, 300);
+    const Ids ids = ids_from(0, 300);
+    boxes[bad].min[bad % 3] = 1e9F;
+    Bodies fresh;
+    EXPECT_EQ(insert(crew_, fresh, ids, boxes).bodies, Ids{static_cast<BodyId>(bad)});
+    EXPECT_EQ(fresh.size(), 0U);
+    boxes[bad].min[bad % 3] = -1e-44F;
+    ASSERT_TRUE(insert(crew_, fresh, ids, boxes).ok());
+    EXPECT_EQ(fresh.all_boxes()[bad].min[bad % 3], 0.0F);
   }
 }
 
@@ -78,15 +92,15 @@ TEST_P(RefusedCall, AnInsertOfABodyThatIsHeldWhereverItStands) {
     for (std::size_t place = 0; place < 5; ++place) {
       Ids ids = {20, 0xffffffff, 4, 1'000'000};
       ids.insert(ids.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(place, 4)), held);
-      expect_refused(insert(bodies_, ids, boxes_from(300, 5)), StatusCode::duplicate_body, {held});
+      expect_refused(insert(crew_, bodies_, ids, boxes_from(300, 5)), StatusCode::duplicate_body, {held});
     }
   }
-  ASSERT_TRUE(insert(bodies_, {3, 4}, boxes_from(300, 2)).ok()) << "these are not held";
+  ASSERT_TRUE(insert(crew_, bodies_, {3, 4}, boxes_from(300, 2)).ok()) << "these are not held";
 }
 
 TEST_P(RefusedCall, AnInsertOrARemovalOfABodyThatIsListedTwice) {
-  expect_refused(insert(bodies_, {20, 21, 20}, boxes_from(300, 3)), StatusCode::duplicate_body, {20});
-  expect_refused(insert(bodies_, {21, 0, 0xffffffff, 21, 0xffffffff}, boxes_from(300, 5)),
+  expect_refused(insert(crew_, bodies_, {20, 21, 20}, boxes_from(300, 3)), StatusCode::duplicate_body, {20});
+  expect_refused(insert(crew_, bodies_, {21, 0, 0xffffffff, 21, 0xffffffff}, boxes_from(300, 5)),
                  StatusCode::duplicate_body, {21, 0xffffffff});
   expect_refused(bodies_.remove(Ids{1, 0, 1}), StatusCode::duplicate_body, {1});
   expect_refused(bodies_.remove(Ids{8, 8}), StatusCode::duplicate_body, {8});
@@ -104,41 +118,44 @@ TEST_P(RefusedCall, AMoveOrARemovalOfABodyThatIsNotThereWhereverItStands) {
 }
 
 TEST_P(RefusedCall, MoreBodiesThanThereMayBe) {
-  const Status status = insert(bodies_, ids_from(20, 8), boxes_from(300, 8), kFewBodies);
+  const Status status = insert(crew_, bodies_, ids_from(20, 8), boxes_from(300, 8), kFewBodies);
   expect_refused(status, StatusCode::capacity, {});
   EXPECT_EQ(status.number, 16U);
   EXPECT_EQ(status.limit, 15U);
   EXPECT_EQ(status.setting, "few");
   EXPECT_THAT(status.message, HasSubstr("Engine test takes 15 bodies"));
   Ids ids(8, 77);
-  expect_refused(bodies_.add(boxes_from(300, 8), ids, "test", kFewBodies), StatusCode::capacity, {});
+  expect_refused(bodies_.add(crew_, boxes_from(300, 8), ids, "test", kFewBodies), StatusCode::capacity, {});
   EXPECT_EQ(ids, Ids(8, 77));
-  ASSERT_TRUE(insert(bodies_, ids_from(20, 7), boxes_from(300, 7), kFewBodies).ok());
+  ASSERT_TRUE(insert(crew_, bodies_, ids_from(20, 7), boxes_from(300, 7), kFewBodies).ok());
 }
 
 TEST_P(RefusedCall, MoreBodiesThanThereMayBeAmongWhichOneIsWrongForThat) {
   Ids ids = ids_from(20, 8);
   ids[7] = 20;
-  expect_refused(insert(bodies_, ids, boxes_from(300, 8), kFewBodies), StatusCode::duplicate_body, {20});
+  expect_refused(insert(crew_, bodies_, ids, boxes_from(300, 8), kFewBodies), StatusCode::duplicate_body,
+                 {20});
   ids[7] = 5;
-  expect_refused(insert(bodies_, ids, boxes_from(300, 8), kFewBodies), StatusCode::duplicate_body, {5});
+  expect_refused(insert(crew_, bodies_, ids, boxes_from(300, 8), kFewBodies), StatusCode::duplicate_body,
+                 {5});
   std::vector<Aabb> boxes = boxes_from(300, 8);
   boxes[2] = kNobody;
-  expect_refused(insert(bodies_, ids, boxes, kFewBodies), StatusCode::invalid_box, {22});
+  expect_refused(insert(crew_, bodies_, ids, boxes, kFewBodies), StatusCode::invalid_box, {22});
 }
 
 TEST_P(RefusedCall, MoreBodiesThanThereMayBeTakeNoMemory) {
   Ids ids(100'000);
   const std::vector<Aabb> boxes = boxes_from(300, ids.size());
-  expect_refused(bodies_.add(boxes, ids, "test", kFewBodies), StatusCode::capacity, {});
-  expect_refused(insert(bodies_, ids_from(20, ids.size()), boxes, kFewBodies), StatusCode::capacity, {});
+  expect_refused(bodies_.add(crew_, boxes, ids, "test", kFewBodies), StatusCode::capacity, {});
+  expect_refused(insert(crew_, bodies_, ids_from(20, ids.size()), boxes, kFewBodies), StatusCode::capacity,
+                 {});
   EXPECT_EQ(bodies_.bytes(), bytes_);
 }
 
 TEST_P(RefusedCall, OfNobodyIsNone) {
   Ids none;
-  EXPECT_TRUE(insert(bodies_, {}, {}).ok());
-  EXPECT_TRUE(bodies_.add({}, none, "test", kAnyNumber).ok());
+  EXPECT_TRUE(insert(crew_, bodies_, {}, {}).ok());
+  EXPECT_TRUE(bodies_.add(crew_, {}, none, "test", kAnyNumber).ok());
   EXPECT_TRUE(move({}, {}).ok());
   EXPECT_TRUE(bodies_.remove({}).ok());
   EXPECT_TRUE(bodies_.boxes({}, {}).ok());

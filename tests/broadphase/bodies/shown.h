@@ -104,9 +104,16 @@ inline void update(Bodies& bodies) {
   bodies.commit();
 }
 
+inline Status insert(Crew& crew, Bodies& bodies, const Ids& ids, const std::vector<Aabb>& boxes,
+                     const Capacity& capacity = kAnyNumber) {
+  return bodies.insert(crew, ids, boxes, {}, "test", capacity);
+}
+
+/// By the caller alone.
 inline Status insert(Bodies& bodies, const Ids& ids, const std::vector<Aabb>& boxes,
                      const Capacity& capacity = kAnyNumber) {
-  return bodies.insert(ids, boxes, "test", capacity);
+  Crew caller_alone(nullptr, 1, Crew::Choice::given);
+  return bodies.insert(caller_alone, ids, boxes, {}, "test", capacity);
 }
 
 /// The box of a body as of the last update; fails the test when it has none.

@@ -36,7 +36,7 @@ class StagedBoxesTest : public testing::TestWithParam<unsigned> {
 
   void SetUp() override {
     boxes_.reserve(kBodies);
-    boxes_.insert(all_, boxes_from(0, kBodies), true);
+    boxes_.insert(all_, boxes_from(0, kBodies));
     boxes_.begin_update();
     boxes_.commit(all_);
   }
@@ -60,6 +60,32 @@ class StagedBoxesTest : public testing::TestWithParam<unsigned> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Workers, StagedBoxesTest, testing::Values(1U, 3U));
+
+TEST_P(StagedBoxesTest, ShowNothingOfThoseThatAreStagedBeforeTheyAreInserted) {
+  const std::vector<Aabb> boxes = boxes_from(700, 1000);
+  boxes_.reserve(kBodies + boxes.size());
+  ASSERT_TRUE(boxes_.stage(crew_, boxes_from(-700, 5)));
+  ASSERT_TRUE(boxes_.stage(crew_, boxes));
+  EXPECT_EQ(boxes_.slots(), kBodies);
+  boxes_.insert_staged(boxes.size());
+  ASSERT_EQ(boxes_.slots(), kBodies + boxes.size());
+  for (Slot i = 0; i < boxes.size(); ++i) {
+    ASSERT_EQ(bits(boxes_.boxes()[kBodies + i]), bits(boxes[i]));
+    ASSERT_EQ(boxes_.state(kBodies + i), kInserted);
+  }
+}
+
+TEST_P(StagedBoxesTest, SayWhereverItStandsThatABoxIsNotCleanAsItIs) {
+  const std::vector<Aabb> boxes = boxes_from(700, 300);
+  boxes_.reserve(kBodies + boxes.size());
+  for (std::size_t place = 0; place < boxes.size(); ++place) {
+    for (const float value : {-0.0F, 1e-44F, -1e9F, std::numeric_limits<float>::quiet_NaN()}) {
+      std::vector<Aabb> given = boxes;
+      given[place].max[place % 3] = value;
+      ASSERT_FALSE(boxes_.stage(crew_, given)) << place << ": " << value;
+    }
+  }
+}
 
 TEST_P(StagedBoxesTest, MoveNobodyWhoIsToldToStay) {
   move(all_, boxes_from(0, kBodies));
@@ -142,7 +168,7 @@ class RandomStages : public StagedBoxesTest {
   void insert_one() {
     const auto slot = static_cast<Slot>(next_.size());
     boxes_.reserve(next_.size() + 1);
-    boxes_.insert({&slot, 1}, {{box_at(1)}}, true);
+    boxes_.insert({&slot, 1}, {{box_at(1)}});
     next_.push_back(box_at(1));
     seen_.push_back(box_at(1));
     inserted_.push_back(slot);

@@ -17,7 +17,8 @@ namespace {
 class NobodyLeft : public testing::TestWithParam<unsigned> {
  protected:
   void insert(const std::vector<Aabb>& boxes) {
-    ASSERT_TRUE(bodies_.insert(ids_below(boxes.size()), boxes, "stream", {kSlotMask, "", ""}).ok());
+    const Capacity any_number = {kSlotMask, "", ""};
+    ASSERT_TRUE(bodies_.insert(*crew_, ids_below(boxes.size()), boxes, {}, "stream", any_number).ok());
     update();
   }
   void move(const std::vector<Aabb>& boxes, std::size_t count) {

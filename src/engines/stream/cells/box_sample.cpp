@@ -98,6 +98,10 @@ struct Sums {
     extents.add({edges[0], edges[1], edges[2]});
     ++count;
   }
+  void add(const Sums& other) {
+    extents.add(other.extents, 1);
+    count += other.count;
+  }
 };
 
 /// Where an edge is longer than its limit. Most are not even with what lies outside of the ranges, which is
@@ -130,6 +134,35 @@ Sums sum_large(const Boxes& boxes, const Ranges& ranges, Float4 limits) {
   }
   for (; i < boxes.count(); ++i) add(i);
   return sums;
+}
+
+/// Sums of large boxes, of so many.
+struct LargeBoxes {
+  Sums sums;
+  std::size_t of = 0;
+};
+
+// Runs of boxes from places that nobody foretells: large ones often stand in line, or at equal distances.
+LargeBoxes sum_large_of_some(const Boxes& boxes, const Ranges& ranges, Float4 limits) {
+  constexpr std::size_t kRuns = tuning::kLargeSample / tuning::kRunOfSample;
+  LargeBoxes large;
+  for (std::size_t run = 0; run < kRuns; ++run) {
+    const std::size_t low = run * boxes.count() / kRuns;
+    const std::size_t high = (run + 1) * boxes.count() / kRuns - tuning::kRunOfSample;
+    const std::size_t first = low + mix64(run) % (high - low);
+    large.sums.add(sum_large(boxes.part(first, tuning::kRunOfSample), ranges, limits));
+    large.of += tuning::kRunOfSample;
+  }
+  return large;
+}
+
+// Some tell as much as all when there are many large ones among them.
+LargeBoxes find_large(const Boxes& boxes, const Ranges& ranges, Float4 limits, Look look) {
+  if (look == Look::at_few && boxes.count() >= 4 * tuning::kLargeSample) {
+    const LargeBoxes large = sum_large_of_some(boxes, ranges, limits);
+    if (large.sums.count >= tuning::kManyLarge) return large;
+  }
+  return {sum_large(boxes, ranges, limits), boxes.count()};
 }
 
 Sums sum_usual(std::span<const Aabb> boxes, const Ranges& ranges, Float4 limits) {
@@ -172,10 +205,10 @@ BoxSample take_sample(const Boxes& boxes, Look look) {
     sample.extents.add(usual.extents, 1 / usual.count);
     return sample;
   }
-  const Sums large = sum_large(boxes, ranges, limits);
-  const auto count = static_cast<double>(boxes.count());
-  if (usual.count > 0) sample.extents.add(usual.extents, (1 - large.count / count) / usual.count);
-  sample.extents.add(large.extents, 1 / count);
+  const LargeBoxes large = find_large(boxes, ranges, limits, look);
+  const auto count = static_cast<double>(large.of);
+  if (usual.count > 0) sample.extents.add(usual.extents, (1 - large.sums.count / count) / usual.count);
+  sample.extents.add(large.sums.extents, 1 / count);
   return sample;
 }
 

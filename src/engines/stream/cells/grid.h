@@ -24,6 +24,13 @@ class Boxes {
         step_(sizeof(TaggedBox)) {}
 
   std::size_t count() const { return count_; }
+  /// So many of them from one on.
+  Boxes part(std::size_t first, std::size_t count) const {
+    Boxes boxes = *this;
+    boxes.first_ += first * step_;
+    boxes.count_ = count;
+    return boxes;
+  }
   /// Bytes from one to the next.
   std::size_t step() const { return step_; }
   const Aabb& operator[](std::size_t place) const {
@@ -119,8 +126,8 @@ class Grid {
 enum class Look {
   at_few,
   /// At all, for those that are many times as long as is usual: one of them among the few would stand for
-  /// thousands. That is also done when there is one among the few; one that they miss may reach into every
-  /// cell.
+  /// thousands. That is also done when there is one among the few, unless a look at some more shows many; one
+  /// that they miss may reach into every cell.
   at_all
 };
 

@@ -1,0 +1,75 @@
+/// @file
+/// What a few boxes tell of all, where some are many times as long as the others.
+#include "engines/stream/cells/box_sample.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "contract/random.h"
+
+namespace cellsweep::stream {
+namespace {
+
+using contract::Random;
+
+constexpr std::size_t kBoxes = 20'000;
+
+/// Small boxes in a large room.
+std::vector<Aabb> small_boxes() {
+  Random random(1);
+  std::vector<Aabb> boxes(kBoxes);
+  for (Aabb& box : boxes) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.min[axis] = random.between(0, 1000);
+      box.max[axis] = box.min[axis] + 1;
+    }
+  }
+  return boxes;
+}
+
+void make_large(Aabb& box) {
+  for (std::size_t axis = 0; axis < 3; ++axis) box.max[axis] = box.min[axis] + 50;
+}
+
+/// The mean volume of a box decides how many cells pay; large ones are all of it here.
+void expect_alike(const std::vector<Aabb>& boxes, double factor) {
+  const Boxes all(boxes.data(), boxes.size());
+  const double few = take_sample(all, Look::at_few).extents.xyz;
+  const double exact = take_sample(all, Look::at_all).extents.xyz;
+  EXPECT_LE(std::abs(std::log(few / exact)), std::log(factor)) << few << " for " << exact;
+}
+
+TEST(BoxSample, TellsHowManyAreLargeThatStandAtEqualDistances) {
+  for (std::size_t distance = 2; distance < 100; ++distance) {
+    SCOPED_TRACE(distance);
+    std::vector<Aabb> boxes = small_boxes();
+    make_large(boxes[0]);  // which a sample always has: without a large one in it all are taken for small
+    for (std::size_t i = distance / 2; i < boxes.size(); i += distance) make_large(boxes[i]);
+    expect_alike(boxes, 2);
+  }
+}
+
+TEST(BoxSample, TellsHowManyAreLargeThatStandInLine) {
+  for (const std::size_t line : {600, 1000, 5000, 15'000}) {
+    for (const std::size_t first : {std::size_t{0}, kBoxes / 2 - line / 2, kBoxes - line}) {
+      SCOPED_TRACE(line);
+      std::vector<Aabb> boxes = small_boxes();
+      make_large(boxes[0]);
+      for (std::size_t i = first; i < first + line; ++i) make_large(boxes[i]);
+      expect_alike(boxes, 2);
+    }
+  }
+}
+
+TEST(BoxSample, OfWhichFewAreLargeIsThatOfAll) {
+  std::vector<Aabb> boxes = small_boxes();
+  make_large(boxes[0]);
+  expect_alike(boxes, 1.1);
+  for (std::size_t i = 0; i < boxes.size(); i += 2000) make_large(boxes[i]);
+  expect_alike(boxes, 1.1);
+}
+
+}  // namespace
+}  // namespace cellsweep::stream
