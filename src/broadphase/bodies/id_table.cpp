@@ -33,14 +33,17 @@ std::size_t direct_entries(std::size_t bodies) {
   return std::min(kDirectEntries * bodies + kSmallTable, std::size_t{std::numeric_limits<BodyId>::max()});
 }
 
-/// Whether a few of them are: these tell ids that lie far apart.
-bool some_are_below(BodyId most, std::span<const BodyId> ids) {
-  constexpr std::size_t kLooks = 64;
+/// Whether a good part of them seem to be: a few tell ids that lie far apart.
+bool many_are_below(BodyId most, std::span<const BodyId> ids) {
+  constexpr std::size_t kLooks = 32;
   const std::size_t step = ids.size() / kLooks + 1;
+  std::size_t below = 0;
+  std::size_t looks = 0;
   for (std::size_t i = 0; i < ids.size(); i += step) {
-    if (ids[i] < most) return true;
+    below += ids[i] < most ? 1 : 0;
+    ++looks;
   }
-  return false;
+  return 4 * below > looks;
 }
 
 }  // namespace
@@ -48,7 +51,7 @@ bool some_are_below(BodyId most, std::span<const BodyId> ids) {
 // As far as most of the ids reach.
 void IdTable::grow_direct(std::span<const BodyId> ids) {
   const auto most = static_cast<BodyId>(direct_entries(size_ + ids.size()));
-  if (!some_are_below(most, ids)) return;
+  if (!many_are_below(most, ids)) return;
   std::uint32_t count = 0;
   BodyId largest = 0;
   for (const BodyId id : ids) {
