@@ -121,6 +121,7 @@ void add_render(CLI::App& program, ExitCode& exit_code) {
   auto render = std::make_shared<Render>();
   auto* file = command->add_option("FILE", render->file, "A recording; without one, a scene is drawn");
   render->scene.add_to(*command);
+  render->scene.add_filters_to(*command);
   SceneFlags::exclude_beside(*command, *file);
   auto* frame = command->add_option("--frame", render->frame, "Frame to draw")
                     ->check(count())

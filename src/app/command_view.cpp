@@ -75,6 +75,7 @@ void add_view(CLI::App& program, ExitCode& exit_code) {
   auto view = std::make_shared<View>();
   auto* file = command->add_option("FILE", view->file, "A recording; without one, a scene is run");
   view->scene.add_to(*command);
+  view->scene.add_filters_to(*command);
   SceneFlags::exclude_beside(*command, *file);
   view->engines.add_to(*command, EngineFlags::Purpose::a_look, "stream");
   command->add_option("--frames", view->window.frames, "Updates after frame 0, then end")

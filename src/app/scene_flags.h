@@ -13,7 +13,7 @@ namespace cellsweep::app {
 struct SceneFlags {
   void add_to(CLI::App& command);
 
-  /// Adds --static and --groups, for commands to which filters matter.
+  /// Adds --static and --groups.
   void add_filters_to(CLI::App& command);
 
   /// Refuses all of them beside an option that names a file in the scene's place. Added last.

@@ -37,6 +37,7 @@ LiveScene::LiveScene(SceneSettings settings, World world)
     boxes_.push_back(body.box);
     poses_.push_back(pose_of(body));
   }
+  filters_ = scene_filters(settings_, world_);
 }
 
 Status LiveScene::set_moving(double share) {
@@ -47,6 +48,7 @@ Status LiveScene::set_moving(double share) {
   for (const BodyId id : world->ids()) carry_over(*world_.find(id), *world->find(id));
   world_ = std::move(*world);
   settings_ = wanted;
+  filters_ = scene_filters(settings_, world_);
   return {};
 }
 

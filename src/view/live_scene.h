@@ -21,13 +21,15 @@ class LiveScene final : public FrameSource {
   double moving() const { return moving_share(settings_); }
 
   /// From the next frame on this share of the bodies moves; all stay where they are, and who moved and still
-  /// moves keeps its course. Errors, without a change: those of make_scene().
+  /// moves keeps its course. Who is static changes with it, where the settings ask for that. Errors, without
+  /// a change: those of make_scene().
   Status set_moving(double share);
 
   std::string name() const override { return settings_.scene; }
   std::span<const Aabb> boxes() const override { return boxes_; }
   std::span<const BodyId> bodies() const override { return world_.ids(); }
   std::span<const BodyPose> poses() const override { return poses_; }
+  std::span<const BodyFilter> filters() const override { return filters_; }
   std::span<const BodyId> moved() const override { return world_.moved(); }
   bool advance() override;
 
@@ -38,6 +40,7 @@ class LiveScene final : public FrameSource {
   World world_;
   std::vector<Aabb> boxes_;
   std::vector<BodyPose> poses_;
+  std::vector<BodyFilter> filters_;
 };
 
 }  // namespace cellsweep::view

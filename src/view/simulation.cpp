@@ -113,7 +113,8 @@ Status Simulation::use_moving(double share) {
   }
   if (Status status = live_->set_moving(share); !status.ok()) return status;
   settings_.scene.moving = share;
-  return {};
+  if (live_->filters().empty()) return {};
+  return engine_.set_filters(live_->bodies(), live_->filters());
 }
 
 Status Simulation::begin_with(const SimulationSettings& settings) {

@@ -32,10 +32,7 @@ class WorldFrames final : public FrameSource {
       boxes_.push_back(body.box);
       poses_.push_back(pose_of(body));
     }
-    filters_ = make_filters(settings, [this](BodyId id) {
-      const RigidBody& body = world_.bodies()[id];
-      return body.velocity.isZero(0) && body.angular_velocity.isZero(0);
-    });
+    filters_ = scene_filters(settings, world_);
   }
 
   std::string name() const override { return name_; }
@@ -104,6 +101,13 @@ class ScriptedFrames final : public FrameSource {
 };
 
 }  // namespace
+
+std::vector<BodyFilter> scene_filters(const SceneSettings& settings, const World& world) {
+  return make_filters(settings, [&](BodyId id) {
+    const RigidBody& body = *world.find(id);
+    return body.velocity.isZero(0) && body.angular_velocity.isZero(0);
+  });
+}
 
 Result<std::unique_ptr<FrameSource>> make_scene_frames(const SceneSettings& settings) {
   if (Status status = check_scene(settings); !status.ok()) return status;

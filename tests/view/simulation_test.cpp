@@ -52,6 +52,39 @@ FrameFile meeting() {
       "meeting", "boxes", Aabb{{0, 0, 0}, {6, 6, 6}}, 2, {still, apart, still, near, still, apart}});
 }
 
+/// Pairs of which one body moves at least.
+std::size_t pairs_with_movers(const Simulation& simulation) {
+  const auto filters = simulation.source().filters();
+  std::size_t count = 0;
+  for (const Pair& pair : report::oracle_pairs(simulation.source().boxes()))
+    count += filters[pair.a].is_static && filters[pair.b].is_static ? 0 : 1;
+  return count;
+}
+
+TEST(Simulation, HasNoPairsOfTwoStaticBodiesWhoeverTheseAre) {
+  SimulationSettings settings = scene(400, 0.3);
+  settings.scene.rest_is_static = true;
+  const auto simulation = made(settings);
+  EXPECT_LT(pairs_with_movers(*simulation), right_pairs(*simulation));
+  for (const double moving : {0.3, 0.1, 0.8, 0.0, 1.0}) {
+    ASSERT_TRUE(simulation->use_moving(moving).ok());
+    step(*simulation, 3);
+    ASSERT_THAT(simulation->engine().pairs(), SizeIs(pairs_with_movers(*simulation))) << moving << " move";
+    EXPECT_EQ(simulation->source().boxes().size(), 400U);
+  }
+  ASSERT_TRUE(simulation->use_engine("control").ok());
+  EXPECT_THAT(simulation->engine().pairs(), SizeIs(pairs_with_movers(*simulation)));
+}
+
+TEST(Simulation, HasNoPairsWithinAGroup) {
+  SimulationSettings settings = scene(400);
+  settings.scene.groups = 2;
+  const auto simulation = made(settings);
+  step(*simulation, 5);
+  EXPECT_FALSE(simulation->engine().pairs().empty());
+  for (const Pair& pair : simulation->engine().pairs()) EXPECT_NE(pair.a % 2, pair.b % 2);
+}
+
 TEST(Simulation, ShowsAScriptWhoseBodiesComeAndGo) {
   SimulationSettings settings = scene(0);
   settings.scene = {.scene = "open-world", .bodies = 600};

@@ -9,8 +9,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cellsweep/export.h"
+#include "cellsweep/filter.h"
 #include "cellsweep/status.h"
 #include "cellsweep/world/frame_source.h"
 #include "cellsweep/world/world.h"
@@ -60,6 +62,10 @@ CELLSWEEP_API double moving_share(const SceneSettings& settings);
 /// outside 0 to 1, a speed outside 0 to 1,000,000, more bodies than 32-bit ids name, what the scene does not
 /// have (SceneInfo), or a scene that is no World.
 CELLSWEEP_API Result<World> make_scene(const SceneSettings& settings);
+
+/// The filters that the settings give to the bodies of their world, by id: those whose velocities are 0 never
+/// move. None when the settings ask for none.
+CELLSWEEP_API std::vector<BodyFilter> scene_filters(const SceneSettings& settings, const World& world);
 
 /// The room that a scene's bodies are in, but for its giant and for the way of one frame. Errors: those of
 /// make_scene_frames().
