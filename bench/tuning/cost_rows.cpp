@@ -1,6 +1,8 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <numeric>
@@ -26,6 +28,17 @@ namespace {
 
 Broadphase one_thread() {
   return std::move(*make_broadphase(StreamOptions{.threads = 1}));
+}
+
+/// Seconds to check and remember one new body, all in one call.
+double insert_cost() {
+  constexpr std::size_t kBodies = 100'000;
+  const auto source = uniform(kBodies, 0);
+  Broadphase broadphase = one_thread();
+  std::vector<BodyId> ids(kBodies);
+  std::iota(ids.begin(), ids.end(), BodyId{0});
+  return seconds_of([&] { benchmark::DoNotOptimize(broadphase.insert(ids, source->boxes()).ok()); }) /
+         kBodies;
 }
 
 /// Seconds to check and remember one move, all bodies in one call.
@@ -109,12 +122,30 @@ struct ThreadCosts {
   double start = 0;
   double dispatch = 0;
 };
+
+/// Tasks that end when all have begun, or after a while: an executor may run one after the other.
+struct Meeting {
+  using Clock = std::chrono::steady_clock;
+  unsigned tasks;
+  std::atomic<unsigned> begun = 0;
+  Clock::time_point end = Clock::now() + std::chrono::milliseconds(10);
+
+  static void attend(void* of, unsigned) {
+    auto& meeting = *static_cast<Meeting*>(of);
+    ++meeting.begun;
+    while (meeting.begun < meeting.tasks && Clock::now() < meeting.end) continue;
+  }
+};
+
 ThreadCosts thread_costs() {
   const unsigned threads = std::clamp(machine_threads(), 2U, tuning::kMostWorkers);
   ThreadPool pool(threads);
-  const auto nothing = [](void*, unsigned) {};
-  const double start = seconds_of([&] { pool.run(threads, nothing, nullptr); });
-  return {start, seconds_of([&] { pool.run(threads, nothing, nullptr); })};
+  const auto meet = [&] {
+    Meeting meeting{threads};
+    pool.run(threads, Meeting::attend, &meeting);
+  };
+  const double start = seconds_of(meet);
+  return {start, seconds_of(meet)};
 }
 
 /// Nanoseconds to sort one pair of so many, with first numbers below as many.
@@ -167,6 +198,7 @@ void register_row(const std::string& name, double in_code, const std::function<d
 }  // namespace
 
 void register_cost_rows() {
+  register_row("kInsertGuess", tuning::kInsertGuess, insert_cost);
   register_row("kMoveGuess", tuning::kMoveGuess, move_cost);
   register_row("kFullGuess", tuning::kFullGuess, full_cost);
   register_row("kPartialGuess", tuning::kPartialGuess, change_cost);

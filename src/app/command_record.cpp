@@ -42,7 +42,7 @@ struct Record {
   Result<FrameFile> write_file() const {
     const auto file = read_frame_file(from);
     if (!file) return file.status();
-    return write(*file->make_source(), file->frames(), report::world_of(*file));
+    return write(*file->make_source(), file->frames(), file->world());
   }
 
   Result<FrameFile> write(FrameSource& source, std::size_t frames, const Aabb& world) const {

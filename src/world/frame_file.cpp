@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "geometry/bounds.h"
 #include "world/recording_frames.h"
 
 namespace cellsweep {
@@ -26,6 +27,20 @@ std::size_t FrameFile::ids() const {
 
 std::size_t FrameFile::frames() const {
   return trace() != nullptr ? trace()->frames() : recording()->frames();
+}
+
+Aabb FrameFile::world() const {
+  if (recording() != nullptr) return recording()->world;
+  Bounds bounds;
+  for (const auto list : boxes()) {
+    for (const Aabb& box : list) bounds.include(box);
+  }
+  return bounds.box();
+}
+
+std::array<std::span<const Aabb>, 2> FrameFile::boxes() const {
+  if (recording() != nullptr) return {recording()->boxes, {}};
+  return {trace()->inserted_boxes, trace()->moved_boxes};
 }
 
 std::unique_ptr<FrameSource> FrameFile::make_source() const {

@@ -2,11 +2,14 @@
 /// Frames from a file of any kind.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <variant>
 
+#include "cellsweep/aabb.h"
 #include "cellsweep/export.h"
 #include "cellsweep/status.h"
 #include "cellsweep/world/frame_source.h"
@@ -24,6 +27,11 @@ class CELLSWEEP_API FrameFile {
   /// All ids are below this.
   std::size_t ids() const;
   std::size_t frames() const;
+  /// The room that all its boxes are in: what a recording says, or what is around those of a trace; of none,
+  /// the point at the origin. Looks at all of a trace.
+  Aabb world() const;
+  /// All boxes of all frames, in two lists; valid as long as this.
+  std::array<std::span<const Aabb>, 2> boxes() const;
   /// Null for a trace.
   const Recording* recording() const;
   const Trace* trace() const;

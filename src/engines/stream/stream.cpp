@@ -1,12 +1,11 @@
 #include "engines/stream/stream.h"
 
-#include <algorithm>
-#include <cfloat>
 #include <utility>
 
 #include "base/text.h"
 #include "base/tuning.h"
 #include "engines/stream/cells/cell_bounds.h"
+#include "geometry/bounds.h"
 
 namespace cellsweep::stream {
 namespace {
@@ -154,17 +153,14 @@ FoundPairs Stream::counted(const FoundPairs& found) {
 
 StreamView Stream::view(std::span<const Aabb> boxes) const {
   StreamView view;
-  Aabb bounds{{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+  Bounds bounds;
   const Aabb* fat = fat_boxes_.data(boxes);
   for (std::size_t slot = 0; slot < boxes.size(); ++slot) {
     if (!(fat[slot].min[0] <= fat[slot].max[0])) continue;  // nobody
     view.fat_boxes.push_back(fat[slot]);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      bounds.min[axis] = std::min(bounds.min[axis], fat[slot].min[axis]);
-      bounds.max[axis] = std::max(bounds.max[axis], fat[slot].max[axis]);
-    }
+    bounds.include(fat[slot]);
   }
-  list_cell_bounds(search_.cells().root(), bounds, view.cells);
+  list_cell_bounds(search_.cells().root(), bounds.box(), view.cells);
   return view;
 }
 

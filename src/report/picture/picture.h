@@ -42,9 +42,6 @@ BodyPose shown_pose(const FrameSource& source, BodyId body);
 /// body's.
 Tableau tableau_of(const FrameSource& source, const Aabb& world);
 
-/// The world of a recording: what its file says, or the bounds of all its boxes.
-Aabb world_of(const FrameFile& file);
-
 /// The world of a recording for its pictures: its own, or, if it has walls, the bounds of all other boxes of
 /// all frames.
 Aabb stage_of(const FrameFile& file);

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <span>
 
 #include "cellsweep/broadphase.h"
+#include "geometry/bounds.h"
 #include "report/hand_over.h"
 #include "report/oracle.h"
 #include "report/picture/picture.h"
@@ -29,31 +29,6 @@ bool is_wall(const Aabb& box, const Aabb& world) {
     long_axes += edge >= kMostOfTheWorld * (world.max[axis] - world.min[axis]) ? 1 : 0;
   }
   return long_axes >= 2;
-}
-
-/// Of any number of boxes.
-struct Bounds {
-  static constexpr float kFar = std::numeric_limits<float>::max();
-  Aabb box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-  std::size_t count = 0;
-
-  void include(const Aabb& other) {
-    ++count;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.min[axis] = std::min(box.min[axis], other.min[axis]);
-      box.max[axis] = std::max(box.max[axis], other.max[axis]);
-    }
-  }
-};
-
-template <class Visit>
-void for_each_box(const FrameFile& file, Visit&& visit) {
-  if (const Recording* recording = file.recording()) {
-    std::ranges::for_each(recording->boxes, visit);
-    return;
-  }
-  std::ranges::for_each(file.trace()->inserted_boxes, visit);
-  std::ranges::for_each(file.trace()->moved_boxes, visit);
 }
 
 std::vector<Pair> pairs_of(const FrameSource& source) {
@@ -91,25 +66,20 @@ BodyPose shown_pose(const FrameSource& source, BodyId body) {
   return source.poses().empty() ? pose_of(source.boxes()[body]) : source.poses()[body];
 }
 
-Aabb world_of(const FrameFile& file) {
-  if (file.recording() != nullptr) return file.recording()->world;
-  Bounds bounds;
-  for_each_box(file, [&](const Aabb& box) { bounds.include(box); });
-  return bounds.count == 0 ? Aabb{} : bounds.box;
-}
-
 Aabb stage_of(const FrameFile& file) {
-  const Aabb world = world_of(file);
+  const Aabb world = file.world();
   Bounds bounds;
-  std::size_t walls = 0;
-  for_each_box(file, [&](const Aabb& box) {
-    if (is_wall(box, world)) {
-      ++walls;
-    } else {
-      bounds.include(box);
+  bool has_walls = false;
+  for (const auto list : file.boxes()) {
+    for (const Aabb& box : list) {
+      if (is_wall(box, world)) {
+        has_walls = true;
+      } else {
+        bounds.include(box);
+      }
     }
-  });
-  return walls == 0 || bounds.count == 0 ? world : bounds.box;
+  }
+  return has_walls && !bounds.empty() ? bounds.box() : world;
 }
 
 }  // namespace cellsweep::report

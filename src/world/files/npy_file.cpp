@@ -1,8 +1,8 @@
 #include "world/files/npy_file.h"
 
-#include <algorithm>
 #include <array>
 
+#include "geometry/bounds.h"
 #include "world/files/file_fault.h"
 #include "world/files/npy_header.h"
 #include "world/files/npy_numbers.h"
@@ -10,18 +10,6 @@
 
 namespace cellsweep {
 namespace {
-
-Aabb bounds_of(std::span<const Aabb> boxes) {
-  if (boxes.empty()) return {};
-  Aabb bounds = boxes.front();
-  for (const Aabb& box : boxes) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      bounds.min[axis] = std::min(bounds.min[axis], box.min[axis]);
-      bounds.max[axis] = std::max(bounds.max[axis], box.max[axis]);
-    }
-  }
-  return bounds;
-}
 
 Status check_header(const NpyHeader& header) {
   constexpr std::uint64_t kIds = std::uint64_t{1} << 32;
@@ -56,7 +44,9 @@ Result<Recording> parse_npy(std::span<const std::byte> file) {
   recording.boxes.resize(block.frames * block.bodies);
   if (const auto bad = load_boxes(file, *header, recording.boxes))
     return box_fault_at(block, bad->box, bad->fault.corner * header->bytes(), bad->fault);
-  recording.world = bounds_of(recording.boxes);
+  Bounds bounds;
+  for (const Aabb& box : recording.boxes) bounds.include(box);
+  recording.world = bounds.box();
   return recording;
 }
 
