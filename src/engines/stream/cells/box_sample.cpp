@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/tuning.h"
+#include "cellsweep/pair.h"
 #include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {
