@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "base/key_sort.h"
-#include "base/memory/array.h"
 #include "base/memory/list.h"
 #include "base/memory/memory.h"
 #include "base/tuning.h"

@@ -16,7 +16,7 @@ void PairSet::remember_changes() {
   }
   const std::size_t notes = notes_.size() + began_.size() + ended_.size();
   if (notes > pairs_.size() / 4 + tuning::kFewNotes) {
-    pairs();
+    listing_.finish([&] { list_all(); });
     return;
   }
   note_changes();
