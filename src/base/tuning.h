@@ -177,5 +177,7 @@ inline constexpr std::size_t kTableWaits = 1024;
 /// Whether these differ is told by so many bits of a hash for each. EPYC, 300 to 1,000,000: with 8 or 4 as
 /// much or more.
 inline constexpr std::size_t kBitsOfId = 16;
+/// More ids than this are cut into buckets of about so many first. EPYC, all new, 1,000,000.
+inline constexpr std::size_t kIdsOfBucket = 131072;
 
 }  // namespace cellsweep::tuning

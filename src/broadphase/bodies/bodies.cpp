@@ -55,7 +55,7 @@ Status Bodies::insert(Crew& crew, std::span<const BodyId> ids, std::span<const A
   if (!staged && !are_valid(boxes)) return find_invalid_boxes(ids, boxes);
   if (!filters.empty() || filters_.in_use()) filters_.reserve(slots, 0);
   const std::size_t before = inserted_.size();
-  if (!table_.insert(ids, inserted_)) {
+  if (!table_.insert(crew, ids, inserted_)) {
     if (Status status = find_listed_twice(ids); !status.ok()) return status;
     return find_held(table_, ids);
   }

@@ -1,17 +1,26 @@
 #include "broadphase/bodies/distinct_ids.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "base/key_sort.h"
+#include "base/memory/array.h"
 #include "base/memory/list.h"
 #include "base/memory/memory.h"
 #include "base/tuning.h"
 
 namespace cellsweep {
 namespace {
+
+/// The product of an id with the golden ratio, which scatters runs: the upper half is its hash, the lower one
+/// chooses its bucket.
+std::uint64_t scattered(BodyId id) {
+  return id * 0x9e3779b97f4a7c15U;
+}
 
 /// For each value of a hash a bit: whether an id has it, and whether a second one has.
 class HashBits {
@@ -39,8 +48,7 @@ class HashBits {
     std::uint64_t twice = 0;
   };
 
-  // The golden ratio, for it scatters runs.
-  std::uint64_t hash_of(BodyId id) const { return id * 0x9e3779b97f4a7c15U >> (64 - bits_); }
+  std::uint64_t hash_of(BodyId id) const { return scattered(id) >> (64 - bits_); }
 
   unsigned bits_;
   Vector<Words> words_;
@@ -63,14 +71,84 @@ List<std::uint64_t> list_shared(const HashBits& hashes, std::span<const BodyId> 
   return shared;
 }
 
-}  // namespace
-
-bool are_distinct(std::span<const BodyId> ids) {
+bool all_differ(std::span<const BodyId> ids) {
   HashBits hashes(ids.size());
   for (const BodyId id : ids) hashes.add(id);
   List<std::uint64_t> shared = list_shared(hashes, ids);
   sort_keys(shared.view());
   return std::ranges::adjacent_find(shared.view()) == shared.view().end();
+}
+
+/// Many ids, cut into buckets so small that the bits of one stay in a fast cache; alike ones get into the
+/// same.
+class IdBuckets {
+ public:
+  IdBuckets(Crew& crew, std::span<const BodyId> ids)
+      : crew_(crew),
+        ids_(ids),
+        buckets_(std::bit_ceil(ids.size() / tuning::kIdsOfBucket + 1)),
+        places_(crew.active() * buckets_) {
+    cut_.renew(ids.size());
+    crew.run([&](unsigned worker) { count(worker); });
+    make_prefix_sums();
+    crew.run([&](unsigned worker) { distribute(worker); });
+  }
+
+  bool all_differ() const {
+    std::atomic<bool> differ = true;
+    crew_.for_each(buckets_, 1, [&](unsigned, std::size_t bucket) {
+      if (!cellsweep::all_differ(this->bucket(bucket))) differ = false;
+    });
+    return differ;
+  }
+
+ private:
+  std::size_t bucket_of(BodyId id) const { return (scattered(id) & 0xffffffff) * buckets_ >> 32; }
+
+  std::span<const BodyId> bucket(std::size_t index) const {
+    const std::size_t first = index == 0 ? 0 : last_place(index - 1);
+    return cut_.view().subspan(first, last_place(index) - first);
+  }
+  // Behind what the last worker wrote.
+  std::size_t last_place(std::size_t bucket) const {
+    return places_[(crew_.active() - 1) * buckets_ + bucket];
+  }
+
+  std::span<const BodyId> share_of(unsigned worker) const {
+    const Share share = Share::of(ids_.size(), worker, crew_.active());
+    return ids_.subspan(share.first, share.last - share.first);
+  }
+
+  void count(unsigned worker) {
+    std::size_t* const counts = &places_[worker * buckets_];
+    for (const BodyId id : share_of(worker)) ++counts[bucket_of(id)];
+  }
+
+  void make_prefix_sums() {
+    std::size_t sum = 0;
+    for (std::size_t bucket = 0; bucket < buckets_; ++bucket) {
+      for (unsigned worker = 0; worker < crew_.active(); ++worker)
+        sum += std::exchange(places_[worker * buckets_ + bucket], sum);
+    }
+  }
+
+  void distribute(unsigned worker) {
+    std::size_t* const places = &places_[worker * buckets_];
+    BodyId* const to = cut_.data();
+    for (const BodyId id : share_of(worker)) to[places[bucket_of(id)]++] = id;
+  }
+
+  Crew& crew_;
+  std::span<const BodyId> ids_;
+  std::size_t buckets_;
+  Vector<std::size_t> places_;  // by worker and bucket: how many ids, then where the next one goes
+  Array<BodyId> cut_;
+};
+
+}  // namespace
+
+bool are_distinct(Crew& crew, std::span<const BodyId> ids) {
+  return ids.size() <= tuning::kIdsOfBucket ? all_differ(ids) : IdBuckets(crew, ids).all_differ();
 }
 
 }  // namespace cellsweep

@@ -17,6 +17,7 @@ constexpr std::size_t kSmallTable = 1024;
 
 /// Whether each id is one more than the one before.
 bool are_consecutive(std::span<const BodyId> ids) {
+  if (!ids.empty() && ids.back() - ids.front() != ids.size() - 1) return false;
   BodyId differs = 0;
   for (std::size_t i = 0; i < ids.size(); ++i) differs |= ids[i] ^ (ids[0] + static_cast<BodyId>(i));
   return differs == 0 && (ids.empty() || ids.front() <= ids.back());
@@ -121,13 +122,18 @@ void IdTable::take_slot(BodyId id) {
 }
 
 bool IdTable::insert(std::span<const BodyId> ids, Vector<Slot>& slots) {
+  Crew alone(nullptr, 1, Crew::Choice::given);
+  return insert(alone, ids, slots);
+}
+
+bool IdTable::insert(Crew& crew, std::span<const BodyId> ids, Vector<Slot>& slots) {
   if (is_new_run(ids)) {
     insert_new_run(ids, slots);
     return true;
   }
   reserve_for(ids);
   make_room(slots, slots.size() + ids.size());
-  if (!map_all(ids)) return false;
+  if (!map_all(crew, ids)) return false;
   ++version_;
   if (free_.empty()) {
     append(ids, slots, are_consecutive(ids));
@@ -166,9 +172,7 @@ void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots, bool cons
     identical = identical && (ids.empty() || ids[0] == first);
   } else {
     identical = false;
-    std::uint32_t descents = 0;
-    for (std::size_t i = 1; i < ids.size(); ++i) descents += ids[i - 1] < ids[i] ? 0 : 1;
-    ascending = ascending && descents == 0;
+    ascending = ascending && std::ranges::adjacent_find(ids, std::ranges::greater_equal{}) == ids.end();
   }
   identical_ = identical;
   ascending_ = ascending;
@@ -178,10 +182,10 @@ void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots, bool cons
 }
 
 // Maps all ids to the slots that they will get, or none.
-bool IdTable::map_all(std::span<const BodyId> ids) {
+bool IdTable::map_all(Crew& crew, std::span<const BodyId> ids) {
   if (map_run(ids)) return true;
   if (can_wait_for_table(ids)) {
-    if (!are_distinct(ids)) return false;
+    if (!are_distinct(crew, ids)) return false;
     table_.put_off();
     return true;
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/crew.h"
 #include "base/deferred.h"
 #include "base/memory/array.h"
 #include "broadphase/bodies/sparse_ids.h"
@@ -41,7 +42,9 @@ class IdTable {
   }
 
   /// Adds bodies and appends the slots that they get. False, and nothing has changed, when one is held or
-  /// listed twice. Throws std::bad_alloc before anything has changed.
+  /// listed twice. By all workers, where there is work for them; without a crew by this thread. Throws
+  /// std::bad_alloc before anything has changed.
+  bool insert(Crew& crew, std::span<const BodyId> ids, Vector<Slot>& slots);
   bool insert(std::span<const BodyId> ids, Vector<Slot>& slots);
 
   /// Ids that nobody has, for so many more bodies: those of the slots that insert() would give out next,
@@ -95,7 +98,7 @@ class IdTable {
   void grow_direct(std::span<const BodyId> ids);
   bool map(BodyId id, Slot slot);
   void unmap(BodyId id);
-  bool map_all(std::span<const BodyId> ids);
+  bool map_all(Crew& crew, std::span<const BodyId> ids);
   bool map_run(std::span<const BodyId> ids);
   bool is_new_run(std::span<const BodyId> ids) const;
   void insert_new_run(std::span<const BodyId> ids, Vector<Slot>& slots);

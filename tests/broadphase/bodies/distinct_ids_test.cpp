@@ -5,11 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "base/memory/starved.h"
+#include "base/thread_pool.h"
+#include "base/tuning.h"
 #include "contract/random.h"
 
 namespace cellsweep {
@@ -34,18 +37,24 @@ Ids crowded(std::size_t count) {
   return ids;
 }
 
-void expect_distinct_but_for_a_repeated_one(Ids ids, Random& random) {
-  ASSERT_TRUE(are_distinct(ids)) << ids.size() << " ids";
-  for (int i = 0; i < 20 && ids.size() > 1; ++i) {
-    const std::size_t place = random.below(ids.size());
-    const std::size_t other = (place + 1 + random.below(ids.size() - 1)) % ids.size();
-    const BodyId before = std::exchange(ids[place], ids[other]);
-    ASSERT_FALSE(are_distinct(ids)) << ids.size() << " ids, " << place << " and " << other;
-    ids[place] = before;
+/// By so many workers.
+class DistinctIds : public testing::TestWithParam<unsigned> {
+ protected:
+  void expect_distinct_but_for_a_repeated_one(Ids ids, Random& random) {
+    ASSERT_TRUE(are_distinct(crew_, ids)) << ids.size() << " ids";
+    for (int i = 0; i < 20 && ids.size() > 1; ++i) {
+      const std::size_t place = random.below(ids.size());
+      const std::size_t other = (place + 1 + random.below(ids.size() - 1)) % ids.size();
+      const BodyId before = std::exchange(ids[place], ids[other]);
+      ASSERT_FALSE(are_distinct(crew_, ids)) << ids.size() << " ids, " << place << " and " << other;
+      ids[place] = before;
+    }
   }
-}
 
-TEST(DistinctIds, AreThoseOfWhichNoTwoAreAlike) {
+  Crew crew_{std::make_shared<ThreadPool>(GetParam()), GetParam(), Crew::Choice::given};
+};
+
+TEST_P(DistinctIds, AreThoseOfWhichNoTwoAreAlike) {
   Random random(1);
   for (const std::size_t count : {0, 1, 2, 63, 64, 65, 1000, 30'000}) {
     for (const BodyId factor : {1U, 3U, 2'654'435'761U, 0xffffffffU, 65'537U})
@@ -53,25 +62,33 @@ TEST(DistinctIds, AreThoseOfWhichNoTwoAreAlike) {
   }
 }
 
-TEST(DistinctIds, MayHaveHashesThatCrowdTogether) {
+TEST_P(DistinctIds, MayBeSoManyThatTheyAreCutIntoBuckets) {
+  Random random(3);
+  for (const BodyId factor : {2'654'435'761U, 8192U})
+    expect_distinct_but_for_a_repeated_one(multiples(3 * tuning::kIdsOfBucket, factor), random);
+}
+
+TEST_P(DistinctIds, MayHaveHashesThatCrowdTogether) {
   Random random(2);
   expect_distinct_but_for_a_repeated_one(crowded(5000), random);
 }
 
-TEST(DistinctIds, AreNotOneAndTheSameManyTimes) {
-  EXPECT_FALSE(are_distinct(Ids(10'000, 7)));
-  EXPECT_FALSE(are_distinct(Ids{0xffffffff, 0, 0xffffffff}));
+TEST_P(DistinctIds, AreNotOneAndTheSameManyTimes) {
+  EXPECT_FALSE(are_distinct(crew_, Ids(10'000, 7)));
+  EXPECT_FALSE(are_distinct(crew_, Ids{0xffffffff, 0, 0xffffffff}));
 }
 
-TEST(DistinctIds, AreNotToldWithoutMemory) {
+TEST_P(DistinctIds, AreNotToldWithoutMemory) {
   for (const Ids& ids : {multiples(3000, 3), crowded(3000)}) {
     bool distinct = false;
     std::uint64_t place = 1;
-    while (fails_at(place, [&] { distinct = are_distinct(ids); })) ++place;
+    while (fails_at(place, [&] { distinct = are_distinct(crew_, ids); })) ++place;
     EXPECT_TRUE(distinct);
     EXPECT_GE(place, 3U);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Workers, DistinctIds, testing::Values(1, 2, 3, 8));
 
 }  // namespace
 }  // namespace cellsweep
