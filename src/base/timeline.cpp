@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -81,8 +82,11 @@ void Timeline::add(unsigned row, std::string name, TimelineTime begin, TimelineT
 }
 
 void Timeline::Rows::write() {
-  std::stable_sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) {
-    return a.begin != b.begin ? a.begin < b.begin : a.end > b.end;
+  std::vector<const Span*> in_order;
+  in_order.reserve(spans.size());
+  for (const Span& span : spans) in_order.push_back(&span);
+  std::sort(in_order.begin(), in_order.end(), [](const Span* a, const Span* b) {
+    return std::tuple(a->begin, b->end, a) < std::tuple(b->begin, a->end, b);
   });
   out << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n";
   for (unsigned row = 0; row < names.size(); ++row) {
@@ -92,10 +96,10 @@ void Timeline::Rows::write() {
         << R"({"ph":"M","name":"thread_sort_index","pid":1,"tid":)" << thread
         << ",\"args\":{\"sort_index\":-1}},\n";
   }
-  for (const Span& span : spans) {
-    out << R"({"ph":"X","cat":"host","pid":1,"tid":)" << kHostRows + span.row << R"(,"name":")" << span.name
-        << R"(","ts":)" << microseconds(span.begin - origin) << R"(,"dur":)"
-        << microseconds(span.end - span.begin) << "},\n";
+  for (const Span* span : in_order) {
+    out << R"({"ph":"X","cat":"host","pid":1,"tid":)" << kHostRows + span->row << R"(,"name":")" << span->name
+        << R"(","ts":)" << microseconds(span->begin - origin) << R"(,"dur":)"
+        << microseconds(span->end - span->begin) << "},\n";
   }
   if (spes != nullptr) spes(out, origin);
   out << R"({"ph":"M","name":"process_name","pid":1,"args":{"name":"cellsweep"}})"

@@ -5,7 +5,11 @@
 namespace cellsweep::stream {
 
 Search::Search(Crew& crew, const Kernels& kernels, PieceFinder* finder, std::size_t max_pairs)
-    : kernels_(kernels), finder_(finder), max_pairs_(max_pairs), cells_(crew, kernels, finder) {}
+    : crew_(crew),
+      kernels_(kernels),
+      finder_(finder),
+      max_pairs_(max_pairs),
+      cells_(std::make_unique<CellTree>(crew, kernels, finder)) {}
 
 std::size_t Search::generous_limit() const {
   return max_pairs_ < kAnyNumber / 4 ? 2 * max_pairs_ + tuning::kFewCandidates : kAnyNumber;
@@ -21,18 +25,18 @@ void Search::find_all(FatBoxes& fat_boxes, std::span<const Aabb> boxes, bool wit
     }
   }
   find_among(boxes, max_pairs_, with_cells);
-  cells_.limit_pairs(generous_limit());
+  cells_->limit_pairs(generous_limit());
 }
 
 void Search::find_among(std::span<const Aabb> boxes, std::size_t most, bool with_cells) {
   has_cells_ = with_cells || !sweep(boxes, most);
   if (has_cells_) {
-    cells_.limit_pairs(most);
-    cells_.build({boxes.data(), boxes.size()});
+    cells_->limit_pairs(most);
+    cells_->build({boxes.data(), boxes.size()});
   } else {
-    cells_.clear();
+    cells_->clear();
   }
-  built_copies_ = cells_.copies();
+  built_copies_ = cells_->copies();
 }
 
 // False when the world is not a small one, or cells take less.
@@ -47,15 +51,33 @@ bool Search::sweep(std::span<const Aabb> boxes, std::size_t most) {
 
 bool Search::change(std::span<const FatBoxChange> changes) {
   try {
-    cells_.change(changes);
+    cells_->change(changes);
   } catch (const TooManyPairs&) {
     return false;
   }
   return true;
 }
 
+void Search::begin_prepared(const Boxes& boxes) {
+  if (!prepared_) prepared_ = std::make_unique<CellTree>(crew_, kernels_);
+  prepared_->allow(cells_->filters());
+  prepared_->limit_pairs(generous_limit());
+  prepared_->take_working_memory(*cells_);
+  prepared_->begin_build(boxes);
+}
+
+void Search::use_prepared() {
+  cells_.swap(prepared_);
+  has_cells_ = true;
+  built_copies_ = cells_->copies();
+}
+
+void Search::drop_prepared() {
+  if (prepared_) prepared_->clear();
+}
+
 void Search::clear() {
-  cells_.clear();
+  cells_->clear();
   has_cells_ = false;
   sweep_ = {};
   swept_ = {};

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "base/crew.h"
@@ -25,7 +26,8 @@ class Search {
 
   /// From now on pairs must be allowed by these filters: CellTree::allow().
   void allow(std::span<const BodyFilter> filters) {
-    cells_.allow(filters);
+    cells_->allow(filters);
+    if (prepared_) prepared_->allow(filters);
     swept_.allow(filters);
   }
 
@@ -36,34 +38,47 @@ class Search {
 
   /// Whether the last find_all() made cells. They follow the bodies by change() and CellTree::change_one().
   bool has_cells() const { return has_cells_; }
-  CellTree& cells() { return cells_; }
-  const CellTree& cells() const { return cells_; }
+  CellTree& cells() { return *cells_; }
+  const CellTree& cells() const { return *cells_; }
 
   /// Changes the cells. False when so many candidates began that everything is to be found anew: that is no
   /// reason to refuse, for all of them may have become too large.
   bool change(std::span<const FatBoxChange> changes);
 
   /// Cells wear out: boxes that enter leave gaps in memory behind and crowd cells.
-  bool is_worn_out() const { return cells_.copies() > 2 * built_copies_ + 1024; }
+  bool is_worn_out() const { return cells_->copies() > 2 * built_copies_ + 1024; }
+
+  /// Cells for later: after begin_prepared(), prepared() goes on as CellTree::begin_build() says, and
+  /// use_prepared() puts them in the place of those that there are. Throws TooManyPairs.
+  void begin_prepared(const Boxes& boxes);
+  CellTree& prepared() { return *prepared_; }
+  void use_prepared();
+  /// Forgets them, and their memory.
+  void drop_prepared();
 
   /// Nobody is left.
   void clear();
 
   /// Valid until the next call.
-  KeyParts found() const { return has_cells_ ? cells_.found() : KeyParts{&swept_view_, 1}; }
+  KeyParts found() const { return has_cells_ ? cells_->found() : KeyParts{&swept_view_, 1}; }
   /// Comparisons of two boxes so far.
-  std::uint64_t tests() const { return cells_.tests() + sweep_.tests(); }
-  std::size_t bytes() const { return cells_.bytes() + sweep_.bytes() + swept_.bytes(); }
+  std::uint64_t tests() const { return cells_->tests() + prepared_tests() + sweep_.tests(); }
+  std::size_t bytes() const {
+    return cells_->bytes() + (prepared_ ? prepared_->bytes() : 0) + sweep_.bytes() + swept_.bytes();
+  }
 
  private:
   std::size_t generous_limit() const;
   void find_among(std::span<const Aabb> boxes, std::size_t most, bool with_cells);
   bool sweep(std::span<const Aabb> boxes, std::size_t most);
+  std::uint64_t prepared_tests() const { return prepared_ ? prepared_->tests() : 0; }
 
+  Crew& crew_;
   const Kernels& kernels_;
   PieceFinder* finder_;
   std::size_t max_pairs_;
-  CellTree cells_;
+  std::unique_ptr<CellTree> cells_;
+  std::unique_ptr<CellTree> prepared_;  // once cells are prepared
   bool has_cells_ = false;
   std::uint64_t built_copies_ = 0;
   Sweep sweep_;

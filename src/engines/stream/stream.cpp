@@ -28,7 +28,8 @@ Stream::Stream(StreamParts parts)
       crew_(*parts_.crew),
       fat_boxes_(parts_.margin),
       search_(crew_, *parts_.kernels, parts_.finder.get(), parts_.max_pairs),
-      overlaps_(crew_) {}
+      overlaps_(crew_),
+      rebuild_(crew_, fat_boxes_, search_, overlaps_) {}
 
 Capacity Stream::capacity() const {
   return {kSlotMask, "", text("a slot's number has ", kSlotBits, " bits")};
@@ -37,6 +38,7 @@ Capacity Stream::capacity() const {
 Stream::Kind Stream::take(const BodyChanges& changes) {
   bodies_ = changes.bodies;
   search_.allow(changes.filters);
+  uses_prepared_ = rebuild_.begin_update(changes);
   crew_.plan(changes.moved.size(), tuning::kMoveGuess);
   switch (fat_boxes_.take(crew_, changes, most_listed_)) {
     case FatBoxes::Extent::inside:
@@ -61,6 +63,10 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
   try {
     found = counted(find(changes, kind, timer));
     found.is_filtered = true;
+    if ((kind == kPartial || kind == kInPlace) && !parts_.finder) {
+      changed_ += rebuild_.go_on(changes, fat_boxes_.changes().size(), costs_.full);
+      timer.lap("next cells");
+    }
   } catch (const TooManyPairs&) {
     return too_many_pairs(parts_.max_pairs);
   } catch (PieceFailure& failure) {
@@ -76,6 +82,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
 FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer) {
   if (bodies_ == 0) return find_none(changes);
   if (fat_boxes_.have_slack()) overlaps_.loosen();
+  if (uses_prepared_ && kind != kFull) return find_prepared(changes, kind, timer);
   if (kind != kFull && search_.has_cells() && overlaps_.are_few(changes)) return find_of_few(changes, timer);
   if (kind == kInPlace) return find_in_place(changes, timer);
   FoundPairs found;
@@ -90,6 +97,7 @@ FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& time
 // With nobody left, everything ends, and the memory goes back.
 FoundPairs Stream::find_none(const BodyChanges& changes) {
   const FoundPairs found = overlaps_.end_all(changes);
+  rebuild_.drop();
   fat_boxes_ = FatBoxes(parts_.margin);
   search_.clear();
   return found;
@@ -127,8 +135,36 @@ bool Stream::find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPa
   return true;
 }
 
+// What was prepared takes the place of what there is, and follows the bodies that left their next fat boxes
+// before these are in use.
+FoundPairs Stream::find_prepared(const BodyChanges& changes, Kind& kind, PhaseTimer& timer) {
+  overlaps_.set_aside(changes);
+  search_.use_prepared();
+  overlaps_.use_prepared();
+  rebuild_.note_used(bodies_);
+  const std::size_t count = fat_boxes_.changes().size();
+  if (count > 0) {
+    crew_.plan(count, costs_.partial.seconds());
+    if (!search_.change(fat_boxes_.changes())) {
+      kind = kFull;
+      return find_anew(changes, true, timer);
+    }
+    overlaps_.change_candidates(changes, fat_boxes_.changes(), search_.cells());
+  }
+  changed_ += count;
+  timer.lap("cells");
+  const FoundPairs found = overlaps_.compare(changes);
+  timer.lap("tests");
+  return found;
+}
+
 FoundPairs Stream::find_all(const BodyChanges& changes, bool with_cells, PhaseTimer& timer) {
   overlaps_.set_aside(changes);
+  return find_anew(changes, with_cells, timer);
+}
+
+FoundPairs Stream::find_anew(const BodyChanges& changes, bool with_cells, PhaseTimer& timer) {
+  rebuild_.note_full();
   const Cost::Clock::time_point start = Cost::Clock::now();
   crew_.plan(bodies_, costs_.full.seconds());
   search_.find_all(fat_boxes_, changes.boxes, with_cells);

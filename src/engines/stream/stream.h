@@ -15,6 +15,7 @@
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cost.h"
 #include "engines/stream/pairs/overlaps.h"
+#include "engines/stream/rebuild.h"
 #include "engines/stream/search.h"
 
 namespace cellsweep::stream {
@@ -45,12 +46,14 @@ class Stream final : public Engine, public HasFinder {
   enum Kind { kFull, kPartial, kInPlace, kIdle, kKinds };
 
   Kind take(const BodyChanges& changes);
+  FoundPairs find_prepared(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
   FoundPairs find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
   FoundPairs find_none(const BodyChanges& changes);
   FoundPairs find_of_few(const BodyChanges& changes, PhaseTimer& timer);
   FoundPairs find_in_place(const BodyChanges& changes, PhaseTimer& timer);
   bool find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPairs& found);
   FoundPairs find_all(const BodyChanges& changes, bool with_cells, PhaseTimer& timer);
+  FoundPairs find_anew(const BodyChanges& changes, bool with_cells, PhaseTimer& timer);
   FoundPairs counted(const FoundPairs& found);
   void note_idle(Statistics& statistics);
   void refresh_counters(Statistics& statistics);
@@ -60,7 +63,9 @@ class Stream final : public Engine, public HasFinder {
   FatBoxes fat_boxes_;
   Search search_;
   Overlaps overlaps_;
+  Rebuild rebuild_;
   Costs costs_;
+  bool uses_prepared_ = false;   // this update
   bool was_full_ = false;        // the last update
   std::size_t pairs_ = 0;        // how many there are
   std::size_t bodies_ = 0;       // held now

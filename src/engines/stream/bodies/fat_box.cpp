@@ -36,7 +36,7 @@ Float4 where_near(Float4 step, Float4 edge, Float4 values) {
 /// How far a face may be carried by a body that keeps its course, with its sign.
 Float4 growth(Float4 step, Float4 edge, float updates) {
   const Float4 most = edge * tuning::kMostGrowth;
-  return where_near(step, edge, smaller(larger(step * updates, -most), most));
+  return smaller(larger(step * updates, -most), most);
 }
 
 /// And how far to either side by one that may turn, or by any body.
@@ -48,6 +48,17 @@ Float4 to_either_side(Float4 step, Float4 edge, const Outlook& outlook) {
   return larger(where_near(step, edge, reach), margin);
 }
 
+Float4 within_numbers(Float4 values) {
+  return smaller(larger(values, splat(-FLT_MAX)), splat(FLT_MAX));
+}
+
+Aabb box_of(Float4 min, Float4 max) {
+  Aabb box;
+  std::memcpy(&box.min[0], &min, sizeof box.min);
+  std::memcpy(&box.max[0], &max, sizeof box.max);
+  return box;
+}
+
 }  // namespace
 
 Aabb fat_box_of(const Aabb& old_box, const Aabb& now_box, const Outlook& outlook) {
@@ -56,16 +67,27 @@ Aabb fat_box_of(const Aabb& old_box, const Aabb& now_box, const Outlook& outlook
   const Float4 edge = now.max - now.min;
   const Float4 low_step = now.min - old.min;
   const Float4 high_step = now.max - old.max;
-  const Float4 low =
-      smaller(growth(low_step, edge, outlook.updates), -to_either_side(low_step, edge, outlook));
-  const Float4 high =
-      larger(growth(high_step, edge, outlook.updates), to_either_side(high_step, edge, outlook));
-  const Float4 min = larger(smaller(now.min + low, now.min), splat(-FLT_MAX));
-  const Float4 max = smaller(larger(now.max + high, now.max), splat(FLT_MAX));
-  Aabb fat;
-  std::memcpy(&fat.min[0], &min, sizeof fat.min);
-  std::memcpy(&fat.max[0], &max, sizeof fat.max);
-  return fat;
+  const Float4 low = smaller(where_near(low_step, edge, growth(low_step, edge, outlook.updates)),
+                             -to_either_side(low_step, edge, outlook));
+  const Float4 high = larger(where_near(high_step, edge, growth(high_step, edge, outlook.updates)),
+                             to_either_side(high_step, edge, outlook));
+  return box_of(within_numbers(smaller(now.min + low, now.min)),
+                within_numbers(larger(now.max + high, now.max)));
+}
+
+// The faces of a box that shrinks may be carried beyond each other.
+Aabb later_fat_box_of(const Aabb& old_box, const Aabb& now_box, const LaterOutlook& outlook) {
+  const BoxLanes old(old_box);
+  const BoxLanes now(now_box);
+  const Float4 edge = now.max - now.min;
+  const Float4 low_step = now.min - old.min;
+  const Float4 high_step = now.max - old.max;
+  const Float4 low = low_step * outlook.from + smaller(growth(low_step, edge, outlook.updates), splat(0));
+  const Float4 high = high_step * outlook.from + larger(growth(high_step, edge, outlook.updates), splat(0));
+  const Float4 slack = larger(within_numbers(edge * tuning::kSlackOfLater), splat(outlook.margin));
+  const Float4 one = within_numbers(now.min + where_near(low_step, edge, low) - slack);
+  const Float4 other = within_numbers(now.max + where_near(high_step, edge, high) + slack);
+  return box_of(smaller(one, other), larger(one, other));
 }
 
 float step_in_lengths(const Aabb& old_box, const Aabb& now_box) {

@@ -18,6 +18,17 @@ struct Outlook {
 /// further than its own length at a time does not grow but for the margin.
 Aabb fat_box_of(const Aabb& old, const Aabb& now, const Outlook& outlook);
 
+/// What a fat box is made for that will be used later.
+struct LaterOutlook {
+  float from = 0;     ///< it is used so many updates ahead,
+  float updates = 0;  ///< for so many
+  float margin = 0;   ///< on all sides
+};
+
+/// A box that encloses where the way that led from `old` to `now` will lead to by then. A box that moves
+/// further than its own length at a time is taken to stay.
+Aabb later_fat_box_of(const Aabb& old, const Aabb& now, const LaterOutlook& outlook);
+
 /// How far a box moved, in its own lengths, on the axis where that is most.
 float step_in_lengths(const Aabb& old, const Aabb& now);
 

@@ -39,6 +39,7 @@ void FatBoxes::make_slack(const BodyChanges& changes) {
 
 void FatBoxes::drop_slack() {
   fat_ = Vector<Aabb>();
+  drop_prepared();
   courses_ = Vector<Course>();
   slack_ = false;
 }
@@ -81,6 +82,34 @@ void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
       fat_[slot] = grown(slot, changes.before[slot], changes.boxes[slot], escaped, tuning::kAllAhead);
     }
   });
+}
+
+void FatBoxes::prepare(Crew& crew, const BodyChanges& changes, Share places, float from, float updates) {
+  const LaterOutlook outlook{from, updates, margin_};
+  crew.run([&](unsigned worker) {
+    const Share share = Share::of(places.last - places.first, worker, crew.active());
+    for (std::size_t i = places.first + share.first; i < places.first + share.last; ++i) {
+      const Slot slot = changes.moved[i];
+      if (courses_[slot].trembles) continue;
+      prepared_[slot] = later_fat_box_of(changes.before[slot], changes.boxes[slot], outlook);
+    }
+  });
+}
+
+bool FatBoxes::are_being_left(const BodyChanges& changes) const {
+  constexpr std::size_t kLooks = 128;
+  constexpr float kSoon = 1.5F;
+  const std::size_t step = changes.moved.size() / kLooks + 1;
+  std::size_t looks = 0;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < changes.moved.size(); i += step) {
+    const Slot slot = changes.moved[i];
+    const Outlook soon{.updates = kSoon};
+    const Aabb next = fat_box_of(changes.before[slot], changes.boxes[slot], soon);
+    left += encloses(BoxLanes(fat_[slot]), BoxLanes(next)) ? 0 : 1;
+    ++looks;
+  }
+  return 2 * left > looks;
 }
 
 void FatBoxes::list(const BodyChanges& changes, std::size_t count) {
@@ -157,8 +186,8 @@ void FatBoxes::list_inserted(Slot slot, const Aabb& now) {
 }
 
 std::size_t FatBoxes::bytes() const {
-  return fat_.capacity() * sizeof(Aabb) + courses_.capacity() * sizeof(Course) + escapes_.bytes() +
-         changes_.bytes();
+  return (fat_.capacity() + prepared_.capacity()) * sizeof(Aabb) + courses_.capacity() * sizeof(Course) +
+         escapes_.bytes() + changes_.bytes();
 }
 
 }  // namespace cellsweep::stream

@@ -50,6 +50,18 @@ class FatBoxes {
   /// Each slot once; after Extent::listed. Valid until the next take().
   std::span<const FatBoxChange> changes() const { return changes_.view(); }
 
+  /// Fat boxes for later: prepared(), by slot. prepare() makes those of some bodies, by place in the list of
+  /// moved ones, to last for so many updates from `from` ahead on; others keep those that they have. As long
+  /// as no body came or went, use_prepared() puts them in the place of those that there are, before a take().
+  void begin_prepared() { prepared_ = fat_; }
+  void prepare(Crew& crew, const BodyChanges& changes, Share places, float from, float updates);
+  std::span<const Aabb> prepared() const { return prepared_; }
+  void use_prepared() { fat_.swap(prepared_); }
+  /// Whether most of the bodies that moved have left the fat boxes that there are, or will soon: some tell.
+  bool are_being_left(const BodyChanges& changes) const;
+  /// Forgets them, and their memory.
+  void drop_prepared() { prepared_ = Vector<Aabb>(); }
+
   /// Some fat box may be larger than its box.
   bool have_slack() const { return slack_; }
 
@@ -83,7 +95,8 @@ class FatBoxes {
   void list_moved(Slot slot, const Aabb& before, const Aabb& now);
   void list_inserted(Slot slot, const Aabb& now);
 
-  Vector<Aabb> fat_;             // by slot; none while all are the boxes themselves
+  Vector<Aabb> fat_;  // by slot; none while all are the boxes themselves
+  Vector<Aabb> prepared_;
   Vector<Course> courses_;       // by slot, as long as fat_
   Array<std::uint8_t> escapes_;  // by place in the list of moved bodies: it left its fat box
   List<FatBoxChange> changes_;

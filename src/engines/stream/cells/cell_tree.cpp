@@ -1,5 +1,7 @@
 #include "engines/stream/cells/cell_tree.h"
 
+#include <utility>
+
 #include "base/tuning.h"
 #include "cellsweep/engine/piece_finder.h"
 #include "engines/stream/cells/tree_build.h"
@@ -41,13 +43,44 @@ void CellTree::reset(std::size_t boxes) {
   }
 }
 
+TreeBuilder CellTree::builder() {
+  return {crew_, kernels_, scratches_, filters_, finder_ != nullptr};
+}
+
 void CellTree::build(const Boxes& boxes) {
+  begin_build(boxes);
+  fill_cells(boxes);
+  while (!is_built()) go_on(~std::uint64_t{0});
+}
+
+void CellTree::begin_build(const Boxes& boxes) {
   reset(boxes.count());
-  const bool collects = finder_ != nullptr;
-  TreeBuilder(crew_, kernels_, scratches_, filters_, collects).build(boxes, root_);
+  cells_built_ = 0;
+  placement_ = builder().place(boxes, root_);
+}
+
+void CellTree::take_working_memory(CellTree& other) {
+  for (std::size_t worker = 0; worker < scratches_.size(); ++worker)
+    std::swap(scratches_[worker]->job, other.scratches_[worker]->job);
+}
+
+void CellTree::fill_cells(const Boxes& boxes) {
+  builder().fill(boxes, placement_);
+}
+
+std::uint64_t CellTree::go_on(std::uint64_t boxes) {
+  const std::uint32_t first = cells_built_;
+  std::uint64_t sum = 0;
+  while (!is_built() && sum < boxes) sum += placement_.cells[cells_built_++].count;
+  builder().finish(placement_, first, cells_built_, root_);
+  if (is_built()) list_found();
+  return sum;
+}
+
+void CellTree::list_found() {
   for (std::size_t worker = 0; worker < scratches_.size(); ++worker) {
     Scratch& scratch = *scratches_[worker];
-    if (collects) finder_->find(scratch.collected, scratch.found.buffer());
+    if (finder_ != nullptr) finder_->find(scratch.collected, scratch.found.buffer());
     scratch.found.leave_out();
     found_[worker] = scratch.found.view();
   }

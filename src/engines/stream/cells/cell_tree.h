@@ -23,6 +23,7 @@ namespace cellsweep::stream {
 
 struct Node;
 class PieceFinder;
+class TreeBuilder;
 
 /// Either boxes or, when they were too many, another grid.
 struct Cell {
@@ -34,6 +35,20 @@ struct Cell {
 struct Node {
   Grid grid;
   Cell* cells = nullptr;
+};
+
+/// A box on its way into a cell: its place in the list of boxes, the cell, and above that the flags to be
+/// left in its tag.
+struct BoxCopy {
+  std::uint32_t box;
+  std::uint32_t cell_and_flags;
+};
+
+/// Which boxes go into which cells of the topmost grid, while a tree is built.
+struct Placement {
+  std::vector<std::span<const BoxCopy>> copies;  ///< as several workers listed them
+  std::vector<std::uint32_t*> places;            ///< where each list's next box goes, by cell
+  const CellBoxes* cells = nullptr;              ///< where the boxes of a cell go
 };
 
 /// What one worker writes.
@@ -62,12 +77,23 @@ class CellTree {
   /// From now on pairs must be allowed by these filters, by slot, which stay where they are until the next
   /// call of allow(); none: all are. find_partners() does not ask for them.
   void allow(std::span<const BodyFilter> filters);
+  std::span<const BodyFilter> filters() const { return filters_; }
 
   /// From now on build() and change() may throw TooManyPairs when they find more than this.
   void limit_pairs(std::size_t most);
 
   /// Makes the tree anew for boxes by slot (NaN where there is no body) and finds all pairs: found().
   void build(const Boxes& boxes);
+
+  /// The same in parts: says into which cells of the topmost grid boxes go; then puts them there; then, as
+  /// often as is_built() says no, makes as many cells as have so many boxes or a little more, and returns how
+  /// many they have. In the meantime nothing else is to be called but allow().
+  void begin_build(const Boxes& boxes);
+  /// Before that: the memory that another tree was built with, which only has changes from now on.
+  void take_working_memory(CellTree& other);
+  void fill_cells(const Boxes& boxes);
+  std::uint64_t go_on(std::uint64_t boxes);
+  bool is_built() const { return cells_built_ == root_.grid.cells(); }
 
   /// Moves, adds and takes out bodies, each once, and finds all pairs that these now have: touched().
   void change(std::span<const FatBoxChange> changes);
@@ -95,6 +121,8 @@ class CellTree {
 
  private:
   void reset(std::size_t boxes);
+  TreeBuilder builder();
+  void list_found();
 
   Crew& crew_;
   const Kernels& kernels_;
@@ -104,6 +132,8 @@ class CellTree {
   std::vector<std::span<const std::uint64_t>> found_;  // by worker
   std::vector<std::span<const std::uint64_t>> touched_;
   Node root_;
+  Placement placement_;            // while the tree is built
+  std::uint32_t cells_built_ = 0;  // of the topmost grid
 };
 
 }  // namespace cellsweep::stream

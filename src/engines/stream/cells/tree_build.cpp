@@ -1,6 +1,7 @@
 #include "engines/stream/cells/tree_build.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/tuning.h"
 
@@ -64,12 +65,14 @@ CellBoxes new_cell(Arena& arena, std::size_t count, unsigned lanes) {
   return cell;
 }
 
-void TreeBuilder::build(const Boxes& boxes, Node& root) {
-  if (!try_build(boxes, Look::at_few, root)) try_build(boxes, Look::at_all, root);
+Placement TreeBuilder::place(const Boxes& boxes, Node& root) {
+  std::optional<Placement> placement = try_place(boxes, Look::at_few, root);
+  if (!placement) placement = try_place(boxes, Look::at_all, root);
+  return std::move(*placement);
 }
 
-// False when boxes reach into many more cells than was expected.
-bool TreeBuilder::try_build(const Boxes& boxes, Look look, Node& root) {
+// Nothing when boxes reach into many more cells than was expected.
+std::optional<Placement> TreeBuilder::try_place(const Boxes& boxes, Look look, Node& root) {
   GridChoice choice = choose_grid(boxes, look);
   if (!choice.pays) choice.grid = Grid();
   root.grid = choice.grid;
@@ -79,22 +82,33 @@ bool TreeBuilder::try_build(const Boxes& boxes, Look look, Node& root) {
   auto* counts = scratch.job.take<std::uint32_t>(std::size_t{workers} * cells);
   auto* sums = scratch.job.take<std::uint32_t>(cells);
   std::fill_n(counts, std::size_t{workers} * cells, 0);
-  std::vector<std::optional<std::span<const Copy>>> copies(workers);
+  std::vector<std::optional<std::span<const BoxCopy>>> copies(workers);
   crew_.run([&](unsigned worker) {
     copies[worker] = list_copies(boxes, Share::of(boxes.count(), worker, workers), choice,
                                  counts + std::size_t{worker} * cells, scratches_[worker]->job);
   });
-  if (!std::all_of(copies.begin(), copies.end(), [](const auto& list) { return list.has_value(); }))
-    return false;
+  Placement placement;
+  for (unsigned worker = 0; worker < workers; ++worker) {
+    if (!copies[worker]) return std::nullopt;
+    placement.copies.push_back(*copies[worker]);
+    placement.places.push_back(counts + std::size_t{worker} * cells);
+  }
   prefix_sums(counts, workers, cells, sums);
-  const CellBoxes* targets = make_targets(sums, cells, scratch);
+  placement.cells = make_targets(sums, cells, scratch);
   root.cells = scratch.cells.take<Cell>(cells);
-  crew_.run(
-      [&](unsigned worker) { fill(boxes, *copies[worker], targets, counts + std::size_t{worker} * cells); });
-  crew_.for_each(cells, 4, [&](unsigned worker, std::size_t cell) {
-    finish_cell(targets[cell], root.cells[cell], *scratches_[worker], 1);
+  return placement;
+}
+
+void TreeBuilder::fill(const Boxes& boxes, const Placement& placement) {
+  crew_.for_each(placement.copies.size(), 1, [&](unsigned, std::size_t list) {
+    fill(boxes, placement.copies[list], placement.cells, placement.places[list]);
   });
-  return true;
+}
+
+void TreeBuilder::finish(const Placement& placement, std::uint32_t first, std::uint32_t end, Node& root) {
+  crew_.for_each(end - first, 4, [&](unsigned worker, std::size_t cell) {
+    finish_cell(placement.cells[first + cell], root.cells[first + cell], *scratches_[worker], 1);
+  });
 }
 
 // Eight boxes from `first` on; behind the end there is nobody.
@@ -109,11 +123,10 @@ void TreeBuilder::find_blocks(const Boxes& boxes, std::size_t first, std::size_t
 
 // Which box goes into which cells, and how many come into each; nothing when these are too many. Whether a
 // box reaches into one cell or two is as good as random: no branch asks for it.
-std::optional<std::span<const TreeBuilder::Copy>> TreeBuilder::list_copies(const Boxes& boxes, Share share,
-                                                                           const GridChoice& choice,
-                                                                           std::uint32_t* counts,
-                                                                           Arena& arena) const {
-  CopyList<Copy> list(arena, share.last - share.first);
+std::optional<std::span<const BoxCopy>> TreeBuilder::list_copies(const Boxes& boxes, Share share,
+                                                                 const GridChoice& choice,
+                                                                 std::uint32_t* counts, Arena& arena) const {
+  CopyList<BoxCopy> list(arena, share.last - share.first);
   const Grid& grid = choice.grid;
   const std::size_t most = choice.most_copies(share.last - share.first);
   const GridNumbers numbers = grid.numbers();
@@ -123,7 +136,7 @@ std::optional<std::span<const TreeBuilder::Copy>> TreeBuilder::list_copies(const
     if (lane == 0) find_blocks(boxes, i, share.last, numbers, blocks);
     const auto index = static_cast<std::uint32_t>(i);
     if (const std::uint32_t more = blocks.more[lane]; more <= 1) {
-      Copy* to = list.room(2);
+      BoxCopy* to = list.room(2);
       to[0] = {index, blocks.first[lane]};
       to[1] = {index, blocks.second[lane]};
       ++counts[blocks.first[lane] & kSlotMask];
@@ -132,7 +145,7 @@ std::optional<std::span<const TreeBuilder::Copy>> TreeBuilder::list_copies(const
     } else if (more != EightBlocks::kNobody) {
       const CellBlock block = grid.block_of(boxes[i]);
       if (list.view().size() + block.cells() > most) return std::nullopt;
-      Copy* to = list.room(block.cells());
+      BoxCopy* to = list.room(block.cells());
       grid.for_each_cell(block, [&](std::uint32_t cell, std::uint32_t flags) {
         *to++ = {index, cell | flags << kSlotBits};
         ++counts[cell];
@@ -143,9 +156,9 @@ std::optional<std::span<const TreeBuilder::Copy>> TreeBuilder::list_copies(const
   return list.view();
 }
 
-void TreeBuilder::fill(const Boxes& boxes, std::span<const Copy> copies, const CellBoxes* targets,
+void TreeBuilder::fill(const Boxes& boxes, std::span<const BoxCopy> copies, const CellBoxes* targets,
                        std::uint32_t* places) const {
-  for (const Copy& copy : copies) {
+  for (const BoxCopy& copy : copies) {
     const std::uint32_t cell = copy.cell_and_flags & kSlotMask;
     const std::uint32_t tag = boxes.tag(copy.box) & (copy.cell_and_flags | kSlotMask);
     targets[cell].boxes[places[cell]++] = {boxes[copy.box], tag, 0};

@@ -19,22 +19,21 @@ class TreeBuilder {
               std::span<const BodyFilter> filters, bool collects)
       : crew_(crew), kernels_(kernels), scratches_(scratches), filters_(filters), collects_(collects) {}
 
-  void build(const Boxes& boxes, Node& root);
+  /// Makes the topmost grid and says which boxes go into which of its cells.
+  Placement place(const Boxes& boxes, Node& root);
+  /// Puts them there.
+  void fill(const Boxes& boxes, const Placement& placement);
+  /// Makes some of the cells and finds their pairs. Each is made once.
+  void finish(const Placement& placement, std::uint32_t first, std::uint32_t end, Node& root);
 
  private:
-  // A box on its way into a cell: its place in the list of boxes, the cell, and above that the flags to be
-  // left in its tag.
-  struct Copy {
-    std::uint32_t box;
-    std::uint32_t cell_and_flags;
-  };
-
   void find_blocks(const Boxes& boxes, std::size_t first, std::size_t end, const GridNumbers& grid,
                    EightBlocks& blocks) const;
-  bool try_build(const Boxes& boxes, Look look, Node& root);
-  std::optional<std::span<const Copy>> list_copies(const Boxes& boxes, Share share, const GridChoice& choice,
-                                                   std::uint32_t* counts, Arena& arena) const;
-  void fill(const Boxes& boxes, std::span<const Copy> copies, const CellBoxes* targets,
+  std::optional<Placement> try_place(const Boxes& boxes, Look look, Node& root);
+  std::optional<std::span<const BoxCopy>> list_copies(const Boxes& boxes, Share share,
+                                                      const GridChoice& choice, std::uint32_t* counts,
+                                                      Arena& arena) const;
+  void fill(const Boxes& boxes, std::span<const BoxCopy> copies, const CellBoxes* targets,
             std::uint32_t* places) const;
   CellBoxes* make_targets(const std::uint32_t* counts, std::uint32_t cells, Scratch& scratch) const;
   void finish_cell(const CellBoxes& target, Cell& cell, Scratch& scratch, unsigned depth) const;

@@ -134,7 +134,8 @@ void Overlaps::grow_fresh(const BodyChanges& changes) {
 }
 
 std::size_t Overlaps::bytes() const {
-  return list_.bytes() + marks_.bytes() + few_.bytes() + ended_.bytes() + fresh_.capacity();
+  return list_.bytes() + prepared_.bytes() + marks_.bytes() + few_.bytes() + ended_.bytes() +
+         fresh_.capacity();
 }
 
 }  // namespace cellsweep::stream

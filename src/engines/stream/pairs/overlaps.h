@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "base/crew.h"
 #include "base/memory/array.h"
@@ -37,6 +38,14 @@ class Overlaps {
   /// have to be sorted by ids.
   bool are_in_order(const BodyChanges& changes) const;
   void put_in_order() { list_.pairs(crew_); }
+
+  /// Candidates for later, those of `found`; they are sorted by sort_prepared(). Between set_aside() and
+  /// compare(), use_prepared() puts them in the place of those that there are.
+  void prepare(KeyParts found) { prepared_.replace(found); }
+  void sort_prepared() { prepared_.pairs(crew_); }
+  void use_prepared() { std::swap(list_, prepared_); }
+  /// Forgets them, and their memory.
+  void drop_prepared() { prepared_ = {}; }
 
   /// Fat boxes changed, and the cells with them. Says which candidates began and ended, valid until the next
   /// update.
@@ -71,6 +80,7 @@ class Overlaps {
 
   Crew& crew_;
   CandidateList list_;
+  CandidateList prepared_;
   OverlapMarks marks_;
   PairsOfFew few_;
   bool are_pairs_ = true;  // all candidates

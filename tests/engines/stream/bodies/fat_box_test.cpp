@@ -77,6 +77,25 @@ TEST(FatBox, OfABodyThatMayTurnReachesSoManyLengthsAtLeast) {
   EXPECT_EQ(fat_box_of(kUnit, kUnit, {.updates = 8, .reach = 0.0625F}), kUnit) << "and others do not";
 }
 
+TEST(FatBox, MayBeForLater) {
+  const Aabb fat = later_fat_box_of(kUnit, unit_at(0.0625F), {.from = 2, .updates = 4});
+  constexpr float kSlack = 1.0F / 256;
+  EXPECT_EQ(fat, (Aabb{{0.1875F - kSlack, -kSlack, -kSlack}, {1.4375F + kSlack, 1 + kSlack, 1 + kSlack}}));
+  for (int update = 0; update < 9; ++update) {
+    const bool is_meant = update >= 2 && update <= 6;
+    EXPECT_EQ(encloses(fat, unit_at(0.0625F + 0.0625F * static_cast<float>(update))), is_meant) << update;
+  }
+}
+
+TEST(FatBox, OfABoxThatShrinksToNothingIsABox) {
+  const Aabb fat = later_fat_box_of(kUnit, {{0.25F, 0, 0}, {0.75F, 1, 1}}, {.from = 8, .updates = 8});
+  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_LE(fat.min[axis], fat.max[axis]);
+}
+
+TEST(FatBox, OfABodyThatJumpsIsNotCarriedAhead) {
+  EXPECT_TRUE(encloses(later_fat_box_of(kUnit, unit_at(1.5F), {.from = 8, .updates = 8}), unit_at(1.5F)));
+}
+
 TEST(FatBox, IsMadeForAStepInLengthsOfTheBox) {
   EXPECT_EQ(step_in_lengths(kUnit, unit_at(-0.25F)), 0.25F);
   EXPECT_EQ(step_in_lengths(kUnit, Aabb{{0, 0, 0}, {1, 2, 1}}), 0.5F) << "on the axis where it is most";
@@ -105,6 +124,9 @@ TEST(FatBox, StaysWithinTheNumbersThereAre) {
         const Aabb fat = fat_box_of(old, now, {12, true, margin, 0.125F});
         EXPECT_TRUE(encloses(fat, now));
         EXPECT_TRUE(encloses(all, fat));
+        const Aabb later = later_fat_box_of(old, now, {.from = 7, .updates = 12, .margin = margin});
+        EXPECT_TRUE(encloses(all, later));
+        for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_LE(later.min[axis], later.max[axis]);
       }
     }
   }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -253,6 +254,35 @@ TEST_P(FatBoxesTest, OfABodyThatTrembledAndWentItsWayAreAsThoseOfOthers) {
     take();
   }
   EXPECT_EQ(fat(0).min[1], boxes_[0].min[1]);
+}
+
+TEST_P(FatBoxesTest, MayBePreparedForLaterAPartAtATime) {
+  insert(uniform_boxes(60, 1));
+  take(0);
+  const auto go_on = [&] {
+    for (Slot slot = 0; slot < 60; ++slot) move(slot, along_x(boxes_[slot], slot == 7 ? 0 : 0.01F));
+  };
+  go_on();
+  take(0);
+  fat_.begin_prepared();
+  for (std::size_t part = 0; part < 3; ++part) {
+    go_on();
+    std::vector<Slot> moved(60);
+    std::iota(moved.begin(), moved.end(), 0);
+    std::vector<Aabb> before = boxes_;
+    for (Slot slot = 0; slot < 60; ++slot) before[slot] = along_x(boxes_[slot], slot == 7 ? 0 : -0.01F);
+    ASSERT_EQ(take(), Extent::inside);
+    const auto ahead = static_cast<float>(3 - part) - 0.5F;
+    fat_.prepare(crew_, {boxes_, before, {}, moved, {}, 60}, {20 * part, 20 * part + 20}, ahead, 5);
+  }
+  const std::vector<Aabb> prepared(fat_.prepared().begin(), fat_.prepared().end());
+  for (int update = 0; update < 5; ++update) {
+    go_on();
+    for (Slot slot = 0; slot < 60; ++slot)
+      ASSERT_TRUE(encloses(prepared[slot], boxes_[slot])) << "slot " << slot << ", update " << update;
+  }
+  fat_.use_prepared();
+  EXPECT_TRUE(same(fat_.data(boxes_)[3], prepared[3]));
 }
 
 TEST_P(FatBoxesTest, AreTheBoxesAgainWhenSlackIsDropped) {

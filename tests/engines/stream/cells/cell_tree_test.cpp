@@ -102,6 +102,30 @@ TEST_P(CellTreeTest, FindsEachPairOnceOnEveryKindOfBoxes) {
   }
 }
 
+TEST_P(CellTreeTest, MayBeBuiltAPartAtATimeByDifferentlyManyWorkers) {
+  Random random(9);
+  boxes_ = uniform_boxes(6000 / kScale, 9);
+  const Boxes boxes(boxes_.data(), boxes_.size());
+  const auto use_some = [&] { crew_.use(1 + static_cast<unsigned>(random.below(crew_.workers()))); };
+  for (const std::uint64_t most : {1, 100, 5000, 1'000'000}) {
+    use_some();
+    tree_.begin_build(boxes);
+    use_some();
+    tree_.fill_cells(boxes);
+    std::uint64_t built = 0;
+    while (!tree_.is_built()) {
+      use_some();
+      const std::uint64_t more = tree_.go_on(most);
+      EXPECT_GT(more, 0U);
+      built += more;
+    }
+    EXPECT_GE(built, boxes_.size());
+    ASSERT_EQ(keys_in(tree_.found()), truth_of(boxes_));
+    change(5, boxes_[6]);
+    take_changes();
+  }
+}
+
 TEST_P(CellTreeTest, CutsALargeWorldIntoPieces) {
   build(uniform_boxes(8000, 1));
   EXPECT_GT(tree_.pieces(), 50U);

@@ -1,0 +1,141 @@
+#include "engines/stream/rebuild.h"
+
+#include <algorithm>
+
+#include "base/tuning.h"
+
+namespace cellsweep::stream {
+namespace {
+
+/// How much of the work is done with each stage. EPYC, uniform 1,000 to 100,000.
+constexpr double kDone[] = {0, 0, 0.17, 0.28, 0.4, 0.8, 1};
+
+bool may_prepare(const BodyChanges& changes) {
+  return changes.inserted.empty() && changes.removed.empty() && 2 * changes.moved.size() >= changes.bodies;
+}
+
+}  // namespace
+
+bool Rebuild::begin_update(const BodyChanges& changes) {
+  ++age_;
+  if (holds_memory_ && !may_prepare(changes)) drop();
+  if (stage_ != kAll) return false;
+  goes_on_ = fat_boxes_.are_being_left(changes);
+  fat_boxes_.use_prepared();
+  return true;
+}
+
+std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped, const Cost& cost) {
+  escaped_ += escaped;
+  if (lasts_ == 0 || stage_ == kAll || !may_prepare(changes)) return 0;
+  if (stage_ == kNothing && !begin()) return 0;
+  const double parts = lasts_ - 1;
+  crew_.plan(static_cast<std::size_t>(static_cast<double>(changes.bodies) / parts), cost.seconds());
+  const double before = fat_done_;
+  try {
+    prepare_until(age_ / parts, changes);
+  } catch (const TooManyPairs&) {
+    drop();
+    return 0;
+  }
+  return static_cast<std::size_t>((fat_done_ - before) * static_cast<double>(changes.moved.size()));
+}
+
+bool Rebuild::begin() {
+  if (age_ != 1 || !search_.has_cells()) return false;
+  fat_boxes_.begin_prepared();
+  holds_memory_ = true;
+  stage_ = kBegun;
+  return true;
+}
+
+void Rebuild::prepare_until(double due, const BodyChanges& changes) {
+  if (stage_ == kBegun && prepare_fat_boxes(due, changes)) stage_ = kFatBoxes;
+  const auto fat = fat_boxes_.prepared();
+  const Boxes boxes(fat.data(), fat.size());
+  if (stage_ == kFatBoxes && is_due(kListed, due)) {
+    search_.begin_prepared(boxes);
+    stage_ = kListed;
+  }
+  if (stage_ == kListed && is_due(kFilled, due)) {
+    search_.prepared().fill_cells(boxes);
+    copies_ = search_.prepared().copies();
+    built_ = 0;
+    stage_ = kFilled;
+  }
+  if (stage_ == kFilled && prepare_cells(due)) stage_ = kCells;
+  if (stage_ == kCells && is_due(kAll, due)) {
+    overlaps_.prepare(search_.prepared().found());
+    overlaps_.sort_prepared();
+    stage_ = kAll;
+  }
+}
+
+// What is not cut is done in the update that has more than half of it to do.
+bool Rebuild::is_due(Stage stage, double due) {
+  return (kDone[stage - 1] + kDone[stage]) / 2 <= due;
+}
+
+double Rebuild::share_of(Stage stage, double due) {
+  return std::clamp((due - kDone[stage - 1]) / (kDone[stage] - kDone[stage - 1]), 0.0, 1.0);
+}
+
+// True when all of them are made. They will be used when all parts are done, and half an update sooner and
+// later, for a body does not keep its course to the last bit. Bodies are mostly listed in the same order each
+// time; one that is missed keeps the fat box that it has.
+bool Rebuild::prepare_fat_boxes(double due, const BodyChanges& changes) {
+  const auto place_of = [&](double share) {
+    return static_cast<std::size_t>(share * static_cast<double>(changes.moved.size()));
+  };
+  const double share = share_of(kFatBoxes, due);
+  const auto ahead = static_cast<float>(lasts_ - age_) - 0.5F;
+  fat_boxes_.prepare(crew_, changes, {place_of(fat_done_), place_of(share)}, ahead,
+                     static_cast<float>(next_lasts_));
+  fat_done_ = share;
+  return share == 1;
+}
+
+// True when all of them are made.
+bool Rebuild::prepare_cells(double due) {
+  const auto wanted = static_cast<std::uint64_t>(share_of(kCells, due) * static_cast<double>(copies_));
+  CellTree& cells = search_.prepared();
+  if (wanted > built_) built_ += cells.go_on(wanted - built_);
+  return cells.is_built();
+}
+
+void Rebuild::note_used(std::size_t bodies) {
+  lasts_ = goes_on_ ? next_lasts_ : 0;
+  if (escaped_ > bodies / tuning::kManyEscaped) {
+    next_lasts_ = std::max(next_lasts_ - 1, tuning::kLastsAtLeast);
+  } else if (escaped_ < bodies / tuning::kFewEscaped) {
+    next_lasts_ = std::min(next_lasts_ + 1, tuning::kAllAhead);
+  }
+  begin_anew();
+}
+
+// Fat boxes that lasted for long will do so again.
+void Rebuild::note_full() {
+  if (holds_memory_) drop();
+  const bool is_usual = age_ > tuning::kLastsAtLeast && age_ <= 2 * tuning::kAllAhead;
+  lasts_ = is_usual ? std::min(age_ - 1, tuning::kAllAhead) : 0;
+  next_lasts_ = lasts_;
+  begin_anew();
+}
+
+void Rebuild::begin_anew() {
+  stage_ = kNothing;
+  fat_done_ = 0;
+  age_ = 0;
+  escaped_ = 0;
+}
+
+void Rebuild::drop() {
+  fat_boxes_.drop_prepared();
+  search_.drop_prepared();
+  overlaps_.drop_prepared();
+  stage_ = kNothing;
+  fat_done_ = 0;
+  holds_memory_ = false;
+}
+
+}  // namespace cellsweep::stream

@@ -1,0 +1,71 @@
+/// @file
+/// Everything found anew a part at a time: while all bodies move, no update of engine `stream` has to do it
+/// all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/crew.h"
+#include "cellsweep/engine/engine.h"
+#include "engines/stream/bodies/fat_boxes.h"
+#include "engines/stream/cost.h"
+#include "engines/stream/pairs/overlaps.h"
+#include "engines/stream/search.h"
+
+namespace cellsweep::stream {
+
+/// Fat boxes last for some updates. In the meantime the next ones, for where bodies will be by then, their
+/// cells and their candidates are prepared, an equal part in each update; then they are put in the place of
+/// those that there are. That is done as long as nobody comes or goes and most bodies move; where it is not,
+/// or is not done in time, everything is found anew at once when that is cheaper.
+class Rebuild {
+ public:
+  Rebuild(Crew& crew, FatBoxes& fat_boxes, Search& search, Overlaps& overlaps)
+      : crew_(crew), fat_boxes_(fat_boxes), search_(search), overlaps_(overlaps) {}
+
+  /// An update begins. True when it is to use what was prepared; of that, fat boxes are in their place
+  /// already.
+  bool begin_update(const BodyChanges& changes);
+
+  /// Does the next part, in an update that found nothing anew and in which so many bodies left their fat
+  /// boxes. Returns how many fat boxes it prepared.
+  std::size_t go_on(const BodyChanges& changes, std::size_t escaped, const Cost& cost);
+
+  /// An update used what was prepared.
+  void note_used(std::size_t bodies);
+  /// An update found everything anew: what was prepared is of no use.
+  void note_full();
+
+  /// Forgets what was prepared, and its memory.
+  void drop();
+
+ private:
+  /// What of it is done.
+  enum Stage { kNothing, kBegun, kFatBoxes, kListed, kFilled, kCells, kAll };
+
+  bool begin();
+  void prepare_until(double due, const BodyChanges& changes);
+  bool prepare_fat_boxes(double due, const BodyChanges& changes);
+  bool prepare_cells(double due);
+  static bool is_due(Stage stage, double due);
+  static double share_of(Stage stage, double due);
+  void begin_anew();
+
+  Crew& crew_;
+  FatBoxes& fat_boxes_;
+  Search& search_;
+  Overlaps& overlaps_;
+  Stage stage_ = kNothing;
+  bool holds_memory_ = false;
+  bool goes_on_ = false;          // the next fat boxes were needed
+  double fat_done_ = 0;           // the share of the next fat boxes that are made
+  std::uint64_t copies_ = 0;      // boxes placed in the next cells,
+  std::uint64_t built_ = 0;       // and so many of them in cells that are made
+  std::uint32_t age_ = 0;         // updates since the fat boxes in use were put in their place
+  std::uint32_t lasts_ = 0;       // after so many the next ones are; 0: nothing is prepared
+  std::uint32_t next_lasts_ = 0;  // after so many those that follow them
+  std::size_t escaped_ = 0;       // bodies that left theirs since
+};
+
+}  // namespace cellsweep::stream

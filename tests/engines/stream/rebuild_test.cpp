@@ -1,0 +1,189 @@
+/// @file
+/// All bodies move: engine `stream` finds everything anew a part at a time, and is exact whatever happens in
+/// between.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "base/memory/starved.h"
+#include "engines/stream/worlds.h"
+
+namespace cellsweep::stream {
+namespace {
+
+using contract::Random;
+
+constexpr std::size_t kBodies = 3000 / kScale;
+
+/// Bodies that keep their course until they meet a wall; body 0, 1, 2 ...
+class Courses {
+ public:
+  Courses(std::size_t bodies, std::uint64_t seed) : random_(seed), boxes_(uniform_boxes(bodies, seed)) {
+    for (std::size_t i = 0; i < 3 * bodies; ++i) steps_.push_back(random_.between(-0.04F, 0.04F));
+    edge_ = 2 * std::cbrt(static_cast<float>(bodies));
+  }
+
+  const std::vector<Aabb>& boxes() const { return boxes_; }
+  Random& random() { return random_; }
+
+  void go_on() {
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      float& low = boxes_[i / 3].min[i % 3];
+      float& high = boxes_[i / 3].max[i % 3];
+      if (low < 0) steps_[i] = std::abs(steps_[i]);
+      if (high > edge_) steps_[i] = -std::abs(steps_[i]);
+      low += steps_[i];
+      high += steps_[i];
+    }
+  }
+  void turn(std::size_t body) {
+    for (std::size_t axis = 0; axis < 3; ++axis) steps_[3 * body + axis] = random_.between(-0.04F, 0.04F);
+  }
+  void leap(std::size_t body) { boxes_[body] = cube_in(random_, random_.between(0.2F, 3), edge_); }
+
+ private:
+  Random random_;
+  std::vector<Aabb> boxes_;
+  std::vector<float> steps_;
+  float edge_ = 0;
+};
+
+void update_all(Broadphase& engine, const Courses& courses) {
+  move_every(engine, courses.boxes(), 1);
+  ASSERT_TRUE(engine.update().ok());
+}
+
+class RebuildTest : public testing::TestWithParam<unsigned> {
+ protected:
+  Broadphase engine_of(const Courses& courses) {
+    return engine_with(courses.boxes(), {.threads = GetParam()});
+  }
+};
+
+TEST_P(RebuildTest, IsDoneAPartAtATimeWhileAllKeepTheirCourse) {
+  Courses courses(3000, 1);
+  Broadphase engine = engine_of(courses);
+  for (int frame = 0; frame < 60; ++frame) {
+    update_all(engine, courses);
+    if (frame % kScale == 0) {
+      ASSERT_TRUE(is_exact(engine, courses.boxes())) << "frame " << frame;
+    }
+    courses.go_on();
+  }
+  EXPECT_LE(counter(engine, "full updates"), 4U) << "bodies that have just begun to move";
+}
+
+// Of the first updates some find everything anew at once.
+TEST_P(RebuildTest, LeavesNoUpdateWithMuchMoreWorkThanOthers) {
+  constexpr std::size_t kMany = 8000;
+  Courses courses(kMany, 2);
+  Broadphase engine = engine_of(courses);
+  Work at_once;
+  for (int frame = 0; frame < 80; ++frame) {
+    const Work before = engine.statistics().work;
+    update_all(engine, courses);
+    courses.go_on();
+    const Work work = engine.statistics().work - before;
+    if (frame < 24) {
+      at_once.boxes_compared = std::max(at_once.boxes_compared, work.boxes_compared);
+    } else {
+      EXPECT_LT(work.boxes_placed, kMany) << "frame " << frame;
+      EXPECT_LT(4 * work.boxes_compared, 3 * at_once.boxes_compared) << "frame " << frame;
+    }
+  }
+}
+
+// They leap, turn and stop, some are taken out and put in again, static for a while.
+TEST_P(RebuildTest, IsExactWhateverBodiesDoInTheMeantime) {
+  for (const std::size_t quiet : {1, 3, 5, 11}) {
+    Courses courses(kBodies, quiet);
+    Broadphase engine = engine_of(courses);
+    Random& random = courses.random();
+    for (std::size_t frame = 0; frame < 70; ++frame) {
+      courses.go_on();
+      for (std::size_t i = 0; i < kBodies / 100; ++i) courses.turn(random.below(kBodies));
+      courses.leap(random.below(kBodies));
+      if (frame % quiet == 0 && frame > 20) {
+        const auto body = static_cast<BodyId>(random.below(kBodies));
+        ASSERT_TRUE(engine.remove({&body, 1}).ok());
+        if (frame % 2 == 0) {
+          ASSERT_TRUE(engine.update().ok());
+        }
+        ASSERT_TRUE(engine.insert({&body, 1}, {&courses.boxes()[body], 1}).ok());
+      }
+      const std::size_t every = frame % 17 == 16 ? 3 : 1;
+      if (every == 1) {
+        update_all(engine, courses);
+        ASSERT_TRUE(is_exact(engine, courses.boxes())) << "frame " << frame << ", quiet " << quiet;
+      } else {
+        move_every(engine, courses.boxes(), every);
+        ASSERT_TRUE(engine.update().ok());
+      }
+    }
+  }
+}
+
+TEST_P(RebuildTest, TellsWhatIsStaticFromWhatIsNot) {
+  Courses courses(kBodies, 6);
+  Broadphase engine = engine_of(courses);
+  std::vector<BodyFilter> filters(kBodies);
+  for (int frame = 0; frame < 40; ++frame) {
+    if (frame % 13 == 12) {
+      for (BodyFilter& filter : filters) filter.is_static = courses.random().one_in(3);
+      ASSERT_TRUE(engine.set_filters(ids_below(kBodies), filters).ok());
+    }
+    courses.go_on();
+    update_all(engine, courses);
+    std::vector<Pair> pairs = pairs_among(courses.boxes());
+    std::erase_if(pairs,
+                  [&](const Pair& pair) { return filters[pair.a].is_static && filters[pair.b].is_static; });
+    ASSERT_TRUE(std::ranges::equal(engine.pairs(), pairs)) << "frame " << frame;
+  }
+}
+
+TEST_P(RebuildTest, GivesItsMemoryBackWhenMostBodiesStay) {
+  constexpr std::size_t kMany = 3000;
+  Courses courses(kMany, 3);
+  Broadphase engine = engine_of(courses);
+  for (int frame = 0; frame < 40; ++frame) {
+    update_all(engine, courses);
+    courses.go_on();
+  }
+  const std::uint64_t moving = engine.statistics().bytes;
+  ASSERT_TRUE(engine.move(7, courses.boxes()[8]).ok());
+  ASSERT_TRUE(engine.update().ok());
+  EXPECT_LT(engine.statistics().bytes, moving - kMany * sizeof(Aabb));
+}
+
+TEST_P(RebuildTest, IsExactWhereverMemoryFails) {
+  constexpr std::size_t kFew = 60;
+  bool failed = true;
+  std::uint64_t n = 1;
+  for (; failed && !HasFailure(); ++n) {
+    Courses courses(kFew, 4);
+    Broadphase engine = engine_of(courses);
+    failed = false;
+    for (int frame = 0; frame < 24; ++frame) {
+      courses.go_on();
+      move_every(engine, courses.boxes(), 1);
+      const auto update = [&] { ASSERT_TRUE(engine.update().ok()); };
+      if (frame >= 8 && !failed) {
+        const std::vector<Pair> before(engine.pairs().begin(), engine.pairs().end());
+        failed = fails_at(n, update);
+        if (!failed) continue;
+        EXPECT_TRUE(std::ranges::equal(engine.pairs(), before)) << "nothing has changed";
+      }
+      update();
+      ASSERT_TRUE(is_exact(engine, courses.boxes())) << "place " << n << ", frame " << frame;
+    }
+  }
+  EXPECT_GT(n, 8U) << "memory is asked for in fewer places than there are";
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, RebuildTest, testing::Values(1, 3));
+
+}  // namespace
+}  // namespace cellsweep::stream
