@@ -112,6 +112,7 @@ class Reader {
     if (found == tails.end()) found = tails.insert(tails.end(), Tail{*cell});
     found->median_seconds = seconds_of(row);
     found->p99_over_median = row.value("p99/median", 0.0);
+    found->mean_over_median = row.value("mean/median", 0.0);
     found->frames = row.value("frames", 0.0);
   }
 

@@ -39,6 +39,7 @@ struct Tail {
   CellKey cell;
   double median_seconds = 0;
   double p99_over_median = 0;
+  double mean_over_median = 0;
   double frames = 0;
 };
 

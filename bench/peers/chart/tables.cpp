@@ -122,10 +122,12 @@ std::string tails_markdown(const PeerResults& results) {
   if (results.tails.empty()) return "";
   std::vector<Tail> tails = results.tails;
   std::sort(tails.begin(), tails.end(), [](const Tail& a, const Tail& b) { return a.cell < b.cell; });
-  std::string table = "| 10 % move | median | 99th percentile / median | frames |\n|---|--:|--:|--:|\n";
+  std::string table =
+      "| | median | mean / median | 99th percentile / median | frames |\n|---|--:|--:|--:|--:|\n";
   for (const Tail& tail : tails) {
-    table += text("| ", kPeerScenes[tail.cell.scene], ", ", report::count_text(tail.cell.bodies), " | ",
-                  time_of(tail.median_seconds), " | ", short_number(tail.p99_over_median), " | ",
+    table += text("| ", kPeerScenes[tail.cell.scene], ", ", report::count_text(tail.cell.bodies), ", ",
+                  kPeerModes[tail.cell.mode].title, " | ", time_of(tail.median_seconds), " | ",
+                  short_number(tail.mean_over_median), " | ", short_number(tail.p99_over_median), " | ",
                   count_of(tail.frames), " |\n");
   }
   return table;

@@ -113,11 +113,14 @@ void Rebuild::note_used(std::size_t bodies) {
   begin_anew();
 }
 
-// Fat boxes that lasted for long will do so again.
+// Fat boxes that lasted for long will do so again. How long the first will is not known.
 void Rebuild::note_full() {
   if (holds_memory_) drop();
-  const bool is_usual = age_ > tuning::kLastsAtLeast && age_ <= 2 * tuning::kAllAhead;
-  lasts_ = is_usual ? std::min(age_ - 1, tuning::kAllAhead) : 0;
+  const bool are_first = age_ <= 1;
+  const bool lasted_usually = age_ > tuning::kLastsAtLeast && age_ <= 2 * tuning::kAllAhead;
+  lasts_ = 0;
+  if (are_first) lasts_ = tuning::kAllAhead;
+  if (lasted_usually) lasts_ = std::min(age_ - 1, tuning::kAllAhead);
   next_lasts_ = lasts_;
   begin_anew();
 }
