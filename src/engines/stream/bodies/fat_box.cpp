@@ -59,14 +59,25 @@ Aabb box_of(Float4 min, Float4 max) {
   return box;
 }
 
+/// How a box moved, and its lengths.
+struct Motion {
+  Motion(const Aabb& old_box, const Aabb& now_box) : now(now_box) {
+    const BoxLanes old(old_box);
+    edge = now.max - now.min;
+    low_step = now.min - old.min;
+    high_step = now.max - old.max;
+  }
+
+  BoxLanes now;
+  Float4 edge;
+  Float4 low_step;
+  Float4 high_step;
+};
+
 }  // namespace
 
-Aabb fat_box_of(const Aabb& old_box, const Aabb& now_box, const Outlook& outlook) {
-  const BoxLanes old(old_box);
-  const BoxLanes now(now_box);
-  const Float4 edge = now.max - now.min;
-  const Float4 low_step = now.min - old.min;
-  const Float4 high_step = now.max - old.max;
+Aabb fat_box_of(const Aabb& old, const Aabb& now_box, const Outlook& outlook) {
+  const auto [now, edge, low_step, high_step] = Motion(old, now_box);
   const Float4 low = smaller(where_near(low_step, edge, growth(low_step, edge, outlook.updates)),
                              -to_either_side(low_step, edge, outlook));
   const Float4 high = larger(where_near(high_step, edge, growth(high_step, edge, outlook.updates)),
@@ -76,12 +87,8 @@ Aabb fat_box_of(const Aabb& old_box, const Aabb& now_box, const Outlook& outlook
 }
 
 // The faces of a box that shrinks may be carried beyond each other.
-Aabb later_fat_box_of(const Aabb& old_box, const Aabb& now_box, const LaterOutlook& outlook) {
-  const BoxLanes old(old_box);
-  const BoxLanes now(now_box);
-  const Float4 edge = now.max - now.min;
-  const Float4 low_step = now.min - old.min;
-  const Float4 high_step = now.max - old.max;
+Aabb later_fat_box_of(const Aabb& old, const Aabb& now_box, const LaterOutlook& outlook) {
+  const auto [now, edge, low_step, high_step] = Motion(old, now_box);
   const Float4 low = low_step * outlook.from + smaller(growth(low_step, edge, outlook.updates), splat(0));
   const Float4 high = high_step * outlook.from + larger(growth(high_step, edge, outlook.updates), splat(0));
   const Float4 slack = larger(within_numbers(edge * tuning::kSlackOfLater), splat(outlook.margin));
@@ -90,11 +97,10 @@ Aabb later_fat_box_of(const Aabb& old_box, const Aabb& now_box, const LaterOutlo
   return box_of(smaller(one, other), larger(one, other));
 }
 
-float step_in_lengths(const Aabb& old_box, const Aabb& now_box) {
-  const BoxLanes old(old_box);
-  const BoxLanes now(now_box);
-  const Float4 step = larger(absolute(now.min - old.min), absolute(now.max - old.max));
-  const Float4 lengths = step / larger(now.max - now.min, splat(FLT_MIN));
+float step_in_lengths(const Aabb& old, const Aabb& now_box) {
+  const auto [now, edge, low_step, high_step] = Motion(old, now_box);
+  const Float4 step = larger(absolute(low_step), absolute(high_step));
+  const Float4 lengths = step / larger(edge, splat(FLT_MIN));
   return std::max(std::max(lengths[0], lengths[1]), lengths[2]);
 }
 
