@@ -34,7 +34,8 @@ class Rebuild {
 
   /// An update used what was prepared.
   void note_used(std::size_t bodies);
-  /// An update found everything anew: what was prepared is of no use.
+  /// An update has found everything anew: what was prepared is of no use. It may hold the candidates that the
+  /// update compared with, so not before that.
   void note_full();
 
   /// Forgets what was prepared, and its memory.

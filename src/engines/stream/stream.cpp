@@ -63,7 +63,9 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
   try {
     found = counted(find(changes, kind, timer));
     found.is_filtered = true;
-    if ((kind == kPartial || kind == kInPlace) && !parts_.finder) {
+    if (kind == kFull) {
+      rebuild_.note_full();
+    } else if (!parts_.finder) {
       changed_ += rebuild_.go_on(changes, fat_boxes_.changes().size(), costs_.full);
       timer.lap("next cells");
     }
@@ -164,7 +166,6 @@ FoundPairs Stream::find_all(const BodyChanges& changes, bool with_cells, PhaseTi
 }
 
 FoundPairs Stream::find_anew(const BodyChanges& changes, bool with_cells, PhaseTimer& timer) {
-  rebuild_.note_full();
   const Cost::Clock::time_point start = Cost::Clock::now();
   crew_.plan(bodies_, costs_.full.seconds());
   search_.find_all(fat_boxes_, changes.boxes, with_cells);

@@ -142,6 +142,39 @@ TEST_P(RebuildTest, TellsWhatIsStaticFromWhatIsNot) {
   }
 }
 
+// Bodies leap so near to each other that their fat boxes have more pairs than there may be, but not the
+// boxes. In one of these frames that is when the next fat boxes come into use.
+TEST_P(RebuildTest, IsGivenUpWhereNextFatBoxesHaveTooManyPairs) {
+  constexpr std::size_t kMany = 3000, kLeaping = 250;
+  const auto place = [](std::size_t i, std::size_t side, float gap, float at) {
+    Aabb box;
+    const std::size_t steps[] = {i % side, i / side % side, i / side / side};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.min[axis] = at + gap * static_cast<float>(steps[axis]);
+      box.max[axis] = box.min[axis] + 1;
+    }
+    return box;
+  };
+  for (int leap = 9; leap < 26; ++leap) {
+    std::vector<Aabb> boxes(kMany);
+    for (std::size_t i = 0; i < kMany; ++i) boxes[i] = place(i, 15, 5, 0);
+    boxes[kMany - 1] = boxes[kMany - 2];
+    Broadphase engine = engine_with(boxes, {.threads = GetParam(), .margin = 0.5F, .max_pairs = 10});
+    for (int frame = 0; frame < leap + 12; ++frame) {
+      for (Aabb& box : boxes) {
+        box.min[0] += 0.1F;
+        box.max[0] += 0.1F;
+      }
+      if (frame == leap) {
+        for (std::size_t i = 0; i < kLeaping; ++i) boxes[i] = place(i, 7, 1.5F, 200);
+      }
+      move_every(engine, boxes, 1);
+      ASSERT_TRUE(engine.update().ok());
+      ASSERT_EQ(engine.pairs().size(), 1U) << "leap " << leap << ", frame " << frame;
+    }
+  }
+}
+
 TEST_P(RebuildTest, GivesItsMemoryBackWhenMostBodiesStay) {
   constexpr std::size_t kMany = 3000;
   Courses courses(kMany, 3);
