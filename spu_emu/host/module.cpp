@@ -49,15 +49,16 @@ void add_segments(const dl_phdr_info& info, std::vector<ModuleSegment>& segments
   }
 }
 
-struct SegmentSearch {
+struct ModuleSearch {
   std::uintptr_t base;
-  std::vector<ModuleSegment> segments;
+  dl_phdr_info found{};
 };
 
+/// Nothing may be thrown through the C library.
 int find_module(dl_phdr_info* info, std::size_t, void* data) {
-  auto* search = static_cast<SegmentSearch*>(data);
+  auto* search = static_cast<ModuleSearch*>(data);
   if (info->dlpi_addr != search->base) return 0;
-  add_segments(*info, search->segments);
+  search->found = *info;
   return 1;
 }
 }  // namespace
@@ -120,9 +121,11 @@ int Module::run(const HostServices& services, unsigned long long speid, unsigned
 }
 
 std::vector<ModuleSegment> Module::segments() const {
-  SegmentSearch search{reinterpret_cast<std::uintptr_t>(base_), {}};
+  ModuleSearch search{reinterpret_cast<std::uintptr_t>(base_)};
   dl_iterate_phdr(&find_module, &search);
-  return std::move(search.segments);
+  std::vector<ModuleSegment> segments;
+  add_segments(search.found, segments);
+  return segments;
 }
 
 }  // namespace spu_emu

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <utility>
 
+#include "base/float_environment.h"
 #include "base/tuning.h"
 
 namespace cellsweep {
@@ -40,7 +41,8 @@ void Crew::plan(std::size_t items, double seconds_of_item) {
   if (++unused_ % tuning::kPatience == 0) dispatch_ = -1;
 }
 
-// What a task throws must not pass through an executor that is not ours.
+// What a task throws must not pass through an executor that is not ours, whose threads may have
+// floating-point settings of their own.
 void Crew::run_all(Call call, const void* context) {
   struct Job {
     Call call;
@@ -50,6 +52,7 @@ void Crew::run_all(Call call, const void* context) {
   } job{call, context};
   const auto task = [](void* of, unsigned worker) {
     Job& now = *static_cast<Job*>(of);
+    const DefaultFloats floats;
     try {
       now.call(now.context, worker);
     } catch (...) {

@@ -40,17 +40,30 @@ ThreadPool::ThreadPool(unsigned concurrency)
     : concurrency_(std::max(1U, concurrency)), spins_(concurrency_ > 1 ? spins_for(concurrency_) : 0) {}
 
 ThreadPool::~ThreadPool() {
+  leave_threads_of_parent();
+  if (!threads_) return;
   stop_ = true;
   job_.fetch_add(1, std::memory_order_release);
   job_.notify_all();
-  for (std::thread& thread : threads_) thread.join();
+  for (std::thread& thread : *threads_) thread.join();
+}
+
+// Threads that fork() did not take along can neither be waited for nor be let go, so what stands for them
+// stays for the rest of the process.
+void ThreadPool::leave_threads_of_parent() {
+  if (process_.is_this_process()) return;
+  static_cast<void>(threads_.release());
+  no_more_ = false;
+  process_.renew();
 }
 
 void ThreadPool::start_threads() {
-  if (no_more_ || threads_.size() + 1 == concurrency_) return;
-  threads_.reserve(concurrency_ - 1);
+  leave_threads_of_parent();
+  if (no_more_ || (threads_ && threads_->size() + 1 == concurrency_)) return;
+  if (!threads_) threads_ = std::make_unique<std::vector<std::thread>>();
+  threads_->reserve(concurrency_ - 1);
   try {
-    while (threads_.size() + 1 < concurrency_) threads_.emplace_back([this] { work(); });
+    while (threads_->size() + 1 < concurrency_) threads_->emplace_back([this] { work(); });
   } catch (const std::system_error&) {
     no_more_ = true;
   }
@@ -84,7 +97,7 @@ void ThreadPool::do_tasks_left() {
 void ThreadPool::run(unsigned count, Task task, void* context) {
   if (count == 0) return;
   if (count > 1) start_threads();
-  if (count == 1 || threads_.empty()) {
+  if (count == 1 || threads_->empty()) {
     for (unsigned index = 0; index < count; ++index) task(context, index);
     return;
   }

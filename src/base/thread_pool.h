@@ -5,9 +5,11 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <thread>
 #include <vector>
 
+#include "base/process.h"
 #include "cellsweep/executor.h"
 
 namespace cellsweep {
@@ -17,7 +19,7 @@ unsigned machine_threads();
 
 /// Threads start when they are first needed. Tasks that no thread has begun when the caller has done its own
 /// are done by the caller: nobody waits for a thread that starts, wakes up late or is not to be had. One
-/// caller at a time.
+/// caller at a time. In a child of fork() threads start anew.
 class ThreadPool final : public Executor {
  public:
   /// `concurrency` counts the caller: 1 never starts a thread.
@@ -30,6 +32,7 @@ class ThreadPool final : public Executor {
   void run(unsigned count, Task task, void* context) override;
 
  private:
+  void leave_threads_of_parent();
   void start_threads();
   void work();
   void do_tasks_left();
@@ -39,7 +42,8 @@ class ThreadPool final : public Executor {
   int spins_;
   bool no_more_ = false;  // threads to be had
   std::atomic<bool> stop_ = false;
-  std::vector<std::thread> threads_;
+  ProcessMark process_;
+  std::unique_ptr<std::vector<std::thread>> threads_;  // null: none were needed yet
   Task task_ = nullptr;
   void* context_ = nullptr;
   alignas(64) std::atomic<std::uint32_t> job_ = 0;      // counts jobs; threads wait for it to change

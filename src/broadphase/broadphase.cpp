@@ -3,6 +3,8 @@
 #include <new>
 #include <utility>
 
+#include "base/float_environment.h"
+#include "base/process.h"
 #include "base/tuning.h"
 #include "broadphase/bodies/bodies.h"
 #include "broadphase/pairs/pair_filter.h"
@@ -25,8 +27,10 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
     if (timeline_) row_ = {timeline_.get(), timeline_->add_row(parts_.row_name)};
   }
 
+  /// Around every call that computes.
   template <class Call>
   auto traced(const char* name, Call&& call) {
+    const DefaultFloats floats;
     if (!timeline_) return call();
     const TimelineScope scope(row_);
     const TimelineSpan span(name);
@@ -112,6 +116,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   TimelineRow row_;
   std::unique_ptr<Engine> engine_;
   bool engine_is_lost_ = false;  // after a failure; the next update makes a new one
+  ProcessMark process_;          // the engine's, whose threads may not be in another one
   Capacity capacity_;
   Crew& crew_ = *parts_.crew;
   Bodies bodies_;
@@ -124,7 +129,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
 
 Result<PairChanges> Broadphase::Impl::update_now() {
   pairs_.remember_changes();
-  const bool anew = engine_is_lost_;
+  const bool anew = engine_is_lost_ || !process_.is_this_process();
   if (anew) {
     if (Status status = renew_engine(); !status.ok()) return status;
   }
@@ -156,6 +161,7 @@ Status Broadphase::Impl::renew_engine() {
   auto engine = parts_.maker();
   if (!engine) return engine.status();
   engine_ = std::move(*engine);
+  process_.renew();
   return {};
 }
 
@@ -175,6 +181,7 @@ void Broadphase::Impl::tidy() {
 }
 
 Result<Broadphase> EngineAccess::make(HandleParts parts) {
+  const DefaultFloats floats;
   auto engine = parts.maker();
   if (!engine) return engine.status();
   std::shared_ptr<Timeline> timeline;

@@ -25,6 +25,9 @@ function(cellsweep_library target)
                VERSION ${PROJECT_VERSION}
                SOVERSION ${PROJECT_VERSION_MAJOR}
                EXPORT_NAME ${name})
+  # What GCC marks as the only one of its name in a process (statics of the standard library's templates) would keep a
+  # plugin that the library is linked into from being unloaded.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
   get_target_property(type ${target} TYPE)
   if(type STREQUAL "SHARED_LIBRARY")
     cellsweep_show_only_the_face(${target})

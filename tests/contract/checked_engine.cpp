@@ -86,7 +86,18 @@ CheckedEngine::CheckedEngine(const ContractEngine& engine, std::string story)
 CheckedEngine::CheckedEngine(Broadphase engine, std::string story)
     : engine_(std::move(engine)), story_(std::move(story)) {}
 
-// One call, or two when memory ran out in the first.
+namespace {
+
+/// Whether a call says by what it returns that it was not made.
+template <class Returned>
+bool was_refused(const Returned& returned) {
+  if constexpr (requires { returned.ok(); }) return !returned.ok();
+  return false;
+}
+
+}  // namespace
+
+// One call, or two when the first did not get what it needed.
 template <class Call>
 auto CheckedEngine::call_engine(Call call) -> decltype(call()) {
   if (!around_) return call();
@@ -94,12 +105,14 @@ auto CheckedEngine::call_engine(Call call) -> decltype(call()) {
     around_(true);
     auto result = call();
     around_(false);
-    return result;
+    if (!was_refused(result)) return result;
   } catch (const std::bad_alloc&) {
     around_(false);
   }
   ++failures_;
+  const std::function<void(bool)> around = std::exchange(around_, nullptr);
   EXPECT_TRUE(state_is_kept());
+  around_ = around;
   return call();
 }
 

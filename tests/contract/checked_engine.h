@@ -85,10 +85,10 @@ class CheckedEngine {
   /// Whether pairs() is called from now on: a caller may look at what changed alone.
   void look_at_pairs(bool look) { looks_ = look; }
 
-  /// From now on calls may run out of memory: they must leave everything as it was, and are made again.
-  /// `around` is told before a call (true) and after it (false).
-  void may_run_out_of_memory(std::function<void(bool)> around) { around_ = std::move(around); }
-  /// How many calls ran out of memory.
+  /// `around` is told before a call (true) and after it (false). From now on calls may not get the memory or
+  /// the threads they need: they must leave everything as it was, and are made again.
+  void surround_calls(std::function<void(bool)> around) { around_ = std::move(around); }
+  /// How many calls did not get what they needed.
   int failures() const { return failures_; }
 
   const Model& model() const { return model_; }

@@ -25,7 +25,7 @@ class OutOfMemoryContract : public PerEngine {
   /// True when memory ran out.
   bool live_with_failure(std::uint64_t n) {
     CheckedEngine checked(GetParam(), "memory fails the " + std::to_string(n) + "th time");
-    checked.may_run_out_of_memory(never_around);
+    checked.surround_calls(never_around);
     let_memory_fail(n);
     full_life(checked, 100);
     let_memory_fail(0);
@@ -48,7 +48,7 @@ TEST(StarvedExecutors, ACallThatGetsNoTasksChangesNothing) {
     CheckedEngine checked(
         std::move(*make_broadphase(StreamOptions{.threads = kConcurrency, .executor = executor})),
         "the executor fails the " + std::to_string(n) + "th time");
-    checked.may_run_out_of_memory(never_around);
+    checked.surround_calls(never_around);
     full_life(checked, 100);
     failures = checked.failures();
     if (n == 1) {

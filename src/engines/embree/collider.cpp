@@ -70,8 +70,16 @@ Collider::Collider(unsigned threads) : bins_(kBins), found_(kBins) {
   throw_if_out_of_memory();
 }
 
+// What Embree began when a thread or memory was not to be had it cannot end: it would end the program. So a
+// device that failed stays, with its threads. In a child of fork() it would wait for threads that are not
+// there.
 Collider::~Collider() {
   const InsideEmbree inside(this);
+  if (has_failed_ || !process_.is_this_process()) {
+    static_cast<void>(geometry_.release());
+    static_cast<void>(scene_.release());
+    static_cast<void>(device_.release());
+  }
   geometry_.reset();
   scene_.reset();
   device_.reset();
@@ -79,7 +87,8 @@ Collider::~Collider() {
 
 // The one thing that can go wrong with calls whose arguments are right.
 void Collider::throw_if_out_of_memory() {
-  if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) throw std::bad_alloc();
+  if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) has_failed_ = true;
+  if (has_failed_ || has_lost_pairs_) throw std::bad_alloc();
 }
 
 void Collider::tell_bounds(const RTCBoundsFunctionArguments* arguments) {
@@ -114,10 +123,15 @@ void Collider::keep_overlapping(std::span<const RTCCollision> candidates, Bin& b
   }
 }
 
+// Nothing may be thrown through Embree.
 void Collider::take_candidates(void* collider, RTCCollision* candidates, unsigned count) {
   auto* self = static_cast<Collider*>(collider);
   const CalledByEmbree called(self);
-  self->keep_overlapping({candidates, count}, self->bins_[bin_of_this_thread()]);
+  try {
+    self->keep_overlapping({candidates, count}, self->bins_[bin_of_this_thread()]);
+  } catch (const std::bad_alloc&) {
+    self->has_lost_pairs_ = true;
+  }
 }
 
 std::span<const std::span<const std::uint64_t>> Collider::find_pairs() {
@@ -125,6 +139,7 @@ std::span<const std::span<const std::uint64_t>> Collider::find_pairs() {
     bin.pairs.clear();
     bin.candidates = 0;
   }
+  has_lost_pairs_ = false;
   {
     const InsideEmbree inside(this);
     rtcCollide(scene_.get(), scene_.get(), take_candidates, this);

@@ -4,12 +4,14 @@
 
 #include <embree3/rtcore.h>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <type_traits>
 #include <vector>
 
+#include "base/process.h"
 #include "cellsweep/aabb.h"
 
 namespace cellsweep::embree {
@@ -55,6 +57,7 @@ class Collider {
   void keep_overlapping(std::span<const RTCCollision> candidates, Bin& bin) const;
   void throw_if_out_of_memory();
 
+  ProcessMark process_;
   Device device_;
   Scene scene_;
   Geometry geometry_;
@@ -62,6 +65,8 @@ class Collider {
   std::vector<Bin> bins_;
   std::vector<std::span<const std::uint64_t>> found_;  // by bin
   std::uint64_t candidates_ = 0;
+  bool has_failed_ = false;                   // Embree said so
+  std::atomic<bool> has_lost_pairs_ = false;  // some thread had no memory for them
 };
 
 }  // namespace cellsweep::embree

@@ -18,6 +18,13 @@ std::vector<SettingRow<EmbreeOptions>> setting_rows() {
        [](EmbreeOptions& options, std::string_view value) { return read_text(options.trace, value); }}};
 }
 
+/// All devices of a process share Embree's threads.
+Status wrong_process_status() {
+  return Status::bad_input(
+      "Embree's threads did not come along when fork() made this process, and Embree starts no others; use "
+      "another engine in it.");
+}
+
 Result<Broadphase> make_from(const SettingValues& values) {
   const auto options = read_settings<EmbreeOptions>("embree", values, setting_rows());
   return options ? make_broadphase(*options) : options.status();
@@ -50,6 +57,8 @@ namespace cellsweep {
 
 Result<Broadphase> make_broadphase(const EmbreeOptions& options) {
   const auto maker = [threads = options.threads]() -> Result<std::unique_ptr<Engine>> {
+    static const ProcessMark first;
+    if (!first.is_this_process()) return embree::wrong_process_status();
     return std::unique_ptr<Engine>(std::make_unique<embree::EmbreeEngine>(threads));
   };
   return EngineAccess::make("embree", maker, options.trace, "embree");

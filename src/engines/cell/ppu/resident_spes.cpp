@@ -55,7 +55,8 @@ ResidentSpes::ResidentSpes(std::unique_ptr<SpeGroup> group, const ResidentSize& 
       records_(resident_changes(wanted.bodies)),
       jobs_(size()),
       answers_(size()),
-      answered_(size(), false) {
+      answered_(size(), false),
+      units_(size()) {
   const auto changes = static_cast<std::uint32_t>(records_.size());
   const std::size_t words = most_events(wanted.bodies, changes, size());
   const std::uint32_t room = round_up(static_cast<std::uint32_t>(wanted.bodies), 16);
@@ -78,7 +79,8 @@ ResidentSpes::ResidentSpes(std::unique_ptr<SpeGroup> group, const ResidentSize& 
 }
 
 ResidentSpes::~ResidentSpes() {
-  static_cast<void>(stop());
+  tell_to_end();
+  group_->wait();
 }
 
 Status ResidentSpes::listen() {
@@ -96,13 +98,18 @@ Status ResidentSpes::listen() {
 Status ResidentSpes::run() {
   std::vector<void*> jobs;
   for (ResidentJob& job : jobs_) jobs.push_back(&job);
-  group_->start(jobs);
+  if (Status status = group_->start(jobs); !status.ok()) return status;
   starts_ += size();
   return wait_for_answers();
 }
 
 Status ResidentSpes::obey(ResidentOrder order, std::uint32_t records) {
   if (!failure_.ok()) return failure_;
+  if (!group_->is_of_this_process()) {
+    return Status::spe_failed(
+        "The programs of the SPEs did not come along when fork() made this process; the next update() starts "
+        "them anew.");
+  }
   unsigned word = resident_word(order, records);
   std::fill(answered_.begin(), answered_.end(), false);
   for (unsigned i = 0; i < size(); ++i) {
@@ -117,9 +124,8 @@ Status ResidentSpes::obey(ResidentOrder order, std::uint32_t records) {
 Status ResidentSpes::wait_for_answers() {
   const SpeGroup::Aside aside(*group_);
   const TimelineSpan span("wait for mailboxes");
-  std::vector<spe_event_unit_t> units(size());
   while (!take_answers()) {
-    spe_event_wait(events_.get(), units.data(), static_cast<int>(units.size()), kLookAfter);
+    spe_event_wait(events_.get(), units_.data(), static_cast<int>(units_.size()), kLookAfter);
     for (unsigned i = 0; i < size(); ++i) {
       const bool lost = !answered_[i] && !group_->running(i) &&  //
                         spe_out_intr_mbox_status(group_->context(i)) == 0;
@@ -142,13 +148,19 @@ bool ResidentSpes::take_answers() {
   return all;
 }
 
-// An order that was being obeyed is finished first. Returns why an SPE had failed, if one had.
+// Returns why an SPE had failed, if one had.
 Status ResidentSpes::stop() {
+  tell_to_end();
+  return group_->join();
+}
+
+// An order that was being obeyed is finished first.
+void ResidentSpes::tell_to_end() noexcept {
+  if (!group_->is_of_this_process()) return;
   unsigned word = resident_word(ResidentOrder::stop, 0);
   for (unsigned i = 0; i < size(); ++i) {
     if (group_->running(i)) spe_in_mbox_write(group_->context(i), &word, 1, SPE_MBOX_ANY_NONBLOCKING);
   }
-  return group_->join();
 }
 
 }  // namespace cellsweep::cell

@@ -78,6 +78,7 @@ class ResidentSpes {
   bool take_answers();
   Status wait_for_answers();
   Status stop();
+  void tell_to_end() noexcept;
 
   std::unique_ptr<SpeGroup> group_;
   std::unique_ptr<void, ReleaseHandler> events_;  // tells when an answer has come
@@ -88,6 +89,7 @@ class ResidentSpes {
   DmaVector<ResidentJob> jobs_;
   std::vector<std::uint32_t> answers_;
   std::vector<bool> answered_;
+  std::vector<spe_event_unit_t> units_;  // for waiting
   Status failure_;
   std::uint64_t mailbox_words_ = 0;
   std::uint64_t starts_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 #include <utility>
 
 #include "base/text.h"
@@ -43,9 +44,14 @@ Result<std::unique_ptr<SpeGroup>> SpeGroup::make(unsigned count, spe_program_han
 }
 
 SpeGroup::~SpeGroup() {
-  for (const auto& spe : spes_) {
-    if (spe->thread.joinable()) spe->thread.join();
-    if (spe->context != nullptr) spe_context_destroy(spe->context);
+  wait();
+  for (auto& spe : spes_) {
+    if (spe->thread.joinable()) {
+      // A thread of the parent process: it can neither be waited for nor be let go, so it stays what it is.
+      static_cast<void>(spe.release());
+    } else if (spe->context != nullptr) {
+      spe_context_destroy(spe->context);
+    }
   }
 }
 
@@ -69,46 +75,74 @@ Status SpeGroup::load(unsigned index) {
 
 Status SpeGroup::run(std::span<void* const> jobs) {
   const Aside aside(*this);
-  start(jobs);
+  const WaitAtEnd wait_at_end(*this);
+  if (Status status = start(jobs); !status.ok()) return status;
   const TimelineSpan span("wait for SPEs to end");
   return join();
 }
 
-void SpeGroup::start(std::span<void* const> jobs) {
+Status SpeGroup::start(std::span<void* const> jobs) {
   started_ = started_ || !jobs.empty();
   for (const auto& spe : spes_) spe->cpu_milliseconds = 0;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    Spe& spe = *spes_[i];
-    spe.running.store(true, std::memory_order_release);
-    spe.thread = std::thread([this, &spe, job = jobs[i]] { run_program(spe, job); });
+  for (unsigned i = 0; i < jobs.size(); ++i) {
+    try {
+      start_thread(*spes_[i], jobs[i]);
+    } catch (const std::system_error& error) {
+      return failed(i, text("no thread is to be had for it: ", error.code().message(), "."));
+    }
+  }
+  return {};
+}
+
+void SpeGroup::start_thread(Spe& spe, void* job) {
+  spe.fault.clear();
+  spe.error = nullptr;
+  spe.running.store(true, std::memory_order_release);
+  try {
+    spe.thread = std::thread([this, &spe, job] { run_thread(spe, job); });
+  } catch (...) {
+    spe.running.store(false, std::memory_order_release);
+    throw;
   }
 }
 
-// On the SPE's thread.
-void SpeGroup::run_program(Spe& spe, void* job) const {
+// Nothing may leave a thread by an exception.
+void SpeGroup::run_thread(Spe& spe, void* job) const {
   const double before = thread_cpu_milliseconds();
-  unsigned entry = SPE_DEFAULT_ENTRY;
-  spe_stop_info_t stop{};
-  const int result = spe_context_run(spe.context, &entry, 0, job, nullptr, &stop);
-  const bool good = result == 0 && stop.stop_reason == SPE_EXIT && stop.result.spe_exit_code == 0;
-  spe.fault.clear();
-  if (!good) spe.fault = result < 0 ? emulation_->fault(spe.context) : words_of_stop(stop);
-  if (!good && spe.fault.empty()) spe.fault = words_of_stop(stop);
-  // The context queues a stop info for every run; nobody else reads them.
-  while (spe_stop_info_read(spe.context, &stop) == 0) continue;
+  try {
+    run_program(spe, job);
+  } catch (...) {
+    spe.error = std::current_exception();
+  }
   spe.cpu_milliseconds = thread_cpu_milliseconds() - before;
   spe.running.store(false, std::memory_order_release);
 }
 
+void SpeGroup::run_program(Spe& spe, void* job) const {
+  unsigned entry = SPE_DEFAULT_ENTRY;
+  spe_stop_info_t stop{};
+  const int result = spe_context_run(spe.context, &entry, 0, job, nullptr, &stop);
+  const bool good = result == 0 && stop.stop_reason == SPE_EXIT && stop.result.spe_exit_code == 0;
+  if (!good) spe.fault = result < 0 ? emulation_->fault(spe.context) : words_of_stop(stop);
+  if (!good && spe.fault.empty()) spe.fault = words_of_stop(stop);
+  // The context queues a stop info for every run; nobody else reads them.
+  while (spe_stop_info_read(spe.context, &stop) == 0) continue;
+}
+
 Status SpeGroup::join() {
-  Status first;
+  wait();
   for (unsigned i = 0; i < size(); ++i) {
-    Spe& spe = *spes_[i];
-    if (!spe.thread.joinable()) continue;
-    spe.thread.join();
-    if (!spe.fault.empty() && first.ok()) first = failed(i, spe.fault);
+    if (spes_[i]->error) std::rethrow_exception(spes_[i]->error);
+    if (!spes_[i]->fault.empty()) return failed(i, spes_[i]->fault);
   }
-  return first;
+  return {};
+}
+
+void SpeGroup::wait() noexcept {
+  if (!is_of_this_process()) return;
+  for (const auto& spe : spes_) {
+    if (spe->thread.joinable()) spe->thread.join();
+  }
 }
 
 double SpeGroup::longest_cpu_milliseconds() const {

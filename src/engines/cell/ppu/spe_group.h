@@ -5,6 +5,7 @@
 #include <libspe2.h>
 
 #include <atomic>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/process.h"
 #include "base/thread_clock.h"
 #include "cellsweep/cell.h"
 #include "engines/cell/emulation.h"
@@ -58,11 +60,19 @@ class SpeGroup {
   /// the group is of no more use then.
   Status run(std::span<void* const> jobs);
 
-  /// The first half of run(): returns at once.
-  void start(std::span<void* const> jobs);
+  /// The first half of run(): returns at once. Where a thread is not to be had, the programs that were
+  /// started go on: they must be told to end.
+  Status start(std::span<void* const> jobs);
 
-  /// The second half: waits until all programs have ended. Errors as run().
+  /// The second half: waits until all programs have ended. Errors as run(); throws what a program's thread
+  /// threw, memory that it did not get.
   Status join();
+
+  /// Waits until all programs have ended, well or not.
+  void wait() noexcept;
+
+  /// False in a child of fork(), where no program of the group runs and none must be waited for.
+  bool is_of_this_process() const { return process_.is_this_process(); }
 
   /// True from start() until the program ended by itself, by a fault, or by exit. Safe to poll.
   bool running(unsigned index) const { return spes_[index]->running.load(std::memory_order_acquire); }
@@ -87,8 +97,21 @@ class SpeGroup {
     std::atomic<bool> running = false;
     std::atomic<double> cpu_milliseconds = 0;  // its thread writes it when the program ends, asked or not
     std::string fault{};
-    StepCycles now{};     // when statistics() were asked for last
-    StepCycles before{};  // and take_statistics()
+    std::exception_ptr error{};  // what its thread threw
+    StepCycles now{};            // when statistics() were asked for last
+    StepCycles before{};         // and take_statistics()
+  };
+
+  /// No thread outlives the call that started it, however that ends: what the programs work on may go then.
+  class WaitAtEnd {
+   public:
+    explicit WaitAtEnd(SpeGroup& group) : group_(group) {}
+    ~WaitAtEnd() { group_.wait(); }
+    WaitAtEnd(const WaitAtEnd&) = delete;
+    WaitAtEnd& operator=(const WaitAtEnd&) = delete;
+
+   private:
+    SpeGroup& group_;
   };
 
   SpeGroup(spe_program_handle_t& program, std::shared_ptr<Emulation> emulation);
@@ -97,8 +120,11 @@ class SpeGroup {
   std::optional<CellTime> cell_time();
   void list_steps(CellTime& time);
   Status load(unsigned index);
+  void run_thread(Spe& spe, void* job) const;
   void run_program(Spe& spe, void* job) const;
+  void start_thread(Spe& spe, void* job);
 
+  ProcessMark process_;
   spe_program_handle_t& program_;
   std::shared_ptr<Emulation> emulation_;
   std::vector<std::unique_ptr<Spe>> spes_;

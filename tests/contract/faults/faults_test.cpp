@@ -1,0 +1,98 @@
+/// @file
+/// Memory and threads that are not to be had, wherever an engine asks for them: the call changed nothing, and
+/// succeeds when it is made again.
+#include <gtest/gtest.h>
+
+#include <new>
+#include <string>
+
+#include "contract/checked_engine.h"
+#include "contract/contract_fixture.h"
+#include "contract/effort.h"
+#include "contract/faults/failing_calls.h"
+#include "contract/full_life.h"
+
+namespace cellsweep::contract {
+namespace {
+
+/// Small enough for one life for each call that can fail.
+constexpr std::size_t kBodies = 32;
+
+struct Fault {
+  Scarce scarce;
+  std::uint64_t n;
+  Lasts lasts;
+};
+
+std::string describe(const Fault& fault) {
+  return std::string(fault.scarce == Scarce::memory ? "memory" : "threads") + " from the " +
+         std::to_string(fault.n) + "th call" + (fault.lasts == Lasts::once ? ", once" : " on");
+}
+
+class FaultContract : public PerEngine {
+ protected:
+  void TearDown() override { let_nothing_fail(); }
+
+  static void let_nothing_fail() {
+    count_calls(false);
+    let_fail(Scarce::memory, 0);
+    let_fail(Scarce::threads, 0);
+  }
+
+  /// True when a call failed.
+  static bool live_with(const Fault& fault) {
+    CheckedEngine checked(GetParam(), describe(fault));
+    checked.surround_calls(count_calls);
+    let_fail(fault.scarce, fault.n, fault.lasts);
+    full_life(checked, kBodies);
+    let_nothing_fail();
+    return checked.failures() > 0;
+  }
+
+  /// True when none was made.
+  static bool make_with(const Fault& fault) {
+    let_fail(fault.scarce, fault.n, fault.lasts);
+    count_calls(true);
+    bool failed = false;
+    try {
+      failed = !GetParam().make().ok();
+    } catch (const std::bad_alloc&) {
+      failed = true;
+    }
+    let_nothing_fail();
+    return failed;
+  }
+
+  /// For each n, until nothing fails any more.
+  static void live_with_each(Scarce scarce, Lasts lasts) {
+    std::uint64_t n = 1;
+    while (live_with({scarce, n, lasts}) && !HasFailure()) n += n < 200 ? 1 : effort(7, 101, 101);
+  }
+};
+
+TEST_P(FaultContract, ACallThatRunsOutOfMemoryOnceChangesNothingWhereverItHappens) {
+  live_with_each(Scarce::memory, Lasts::once);
+}
+
+TEST_P(FaultContract, ACallThatRunsOutOfMemoryForGoodChangesNothingWhereverItHappens) {
+  live_with_each(Scarce::memory, Lasts::for_ever);
+}
+
+TEST_P(FaultContract, ACallThatGetsNoThreadsChangesNothingOrDoesWithout) {
+  live_with_each(Scarce::threads, Lasts::once);
+  live_with_each(Scarce::threads, Lasts::for_ever);
+}
+
+TEST_P(FaultContract, ABroadphaseIsMadeOrIsNot) {
+  for (const Lasts lasts : {Lasts::once, Lasts::for_ever}) {
+    std::uint64_t n = 1;
+    while (make_with({Scarce::memory, n, lasts}) && !HasFailure()) ++n;
+    EXPECT_GT(n, 1U) << "nothing was allocated";
+    EXPECT_TRUE(GetParam().make().ok());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, FaultContract, all_engines(), engine_label);
+
+}  // namespace
+}  // namespace cellsweep::contract
