@@ -21,10 +21,10 @@ HostProgram::HostProgram(Spe& spe)
       store_(spe.arena(), spe.settings().code_reserve, spe.settings().stack_reserve),
       services_(make_services(*this)) {}
 
-LoadResult HostProgram::load(Spe& spe, const spe_program_handle_t& handle) {
+LoadResult HostProgram::load(Spe& spe, std::span<const std::byte> image) {
   auto program = std::make_unique<HostProgram>(spe);
   std::string error;
-  program->module_ = Module::load(handle, error);
+  program->module_ = Module::load(image, error);
   if (!program->module_) return {nullptr, EINVAL, error};
   if (!program->store_.place(program->module_->segments())) {
     return {nullptr, ENOMEM,

@@ -18,7 +18,7 @@ namespace spu_emu {
 
 class HostProgram final : public Program {
  public:
-  static LoadResult load(Spe& spe, const spe_program_handle_t& handle);
+  static LoadResult load(Spe& spe, std::span<const std::byte> image);
   explicit HostProgram(Spe& spe);
 
   HostLocalStore& store() override { return store_; }

@@ -62,13 +62,9 @@ int find_module(dl_phdr_info* info, std::size_t, void* data) {
 }
 }  // namespace
 
-std::unique_ptr<Module> Module::load(const spe_program_handle_t& program, std::string& error) {
-  const auto* bytes = static_cast<const std::byte*>(program.elf_image);
-  const auto prepared = prepare_module({bytes, module_size(bytes)});
-  if (!prepared) {
-    error = "the image is no x86-64 program module";
-    return nullptr;
-  }
+std::unique_ptr<Module> Module::load(std::span<const std::byte> image, std::string& error) {
+  const auto prepared = prepare_module(image, error);
+  if (!prepared) return nullptr;
   std::unique_ptr<Module> module(new Module);
   module->init_array_ = prepared->init_array;
   module->init_count_ = prepared->init_count;

@@ -3,9 +3,8 @@
 #ifndef SPU_EMU_HOST_MODULE_H
 #define SPU_EMU_HOST_MODULE_H
 
-#include <libspe2-types.h>
-
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,7 @@ class Module {
   using Entry = int (*)(unsigned long long speid, unsigned long long argp, unsigned long long envp);
 
   /// Loads the image; null, with the reason in `error`, if it is no module made by add_spu_program.
-  static std::unique_ptr<Module> load(const spe_program_handle_t& program, std::string& error);
+  static std::unique_ptr<Module> load(std::span<const std::byte> image, std::string& error);
   ~Module();
   Module(const Module&) = delete;
   Module& operator=(const Module&) = delete;

@@ -30,9 +30,7 @@ IsaProgram::IsaProgram(Spe& spe)
   machine_.set_observer(*cycles_);
 }
 
-LoadResult IsaProgram::load(Spe& spe, const spe_program_handle_t& handle) {
-  const auto* image = static_cast<const std::byte*>(handle.elf_image);
-  const std::span<const std::byte> file(image, elf_size_in_memory(image));
+LoadResult IsaProgram::load(Spe& spe, std::span<const std::byte> file) {
   ElfResult elf = read_elf(file);
   if (!elf.program) return {nullptr, EINVAL, elf.error};
   auto program = std::make_unique<IsaProgram>(spe);

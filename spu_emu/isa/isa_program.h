@@ -19,7 +19,7 @@ namespace spu_emu::isa {
 
 class IsaProgram final : public Program, private StoreObserver {
  public:
-  static LoadResult load(Spe& spe, const spe_program_handle_t& handle);
+  static LoadResult load(Spe& spe, std::span<const std::byte> file);
   explicit IsaProgram(Spe& spe);
 
   LocalStoreView& store() override { return store_.view(); }

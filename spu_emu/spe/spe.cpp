@@ -68,11 +68,11 @@ void Spe::unload() {
   program_.reset();
 }
 
-int Spe::load(const spe_program_handle_t& handle, ProgramLoader load_program) {
+int Spe::load(std::span<const std::byte> image, ProgramLoader load_program) {
   unload();
   LoadResult result;
   try {
-    result = load_program(*this, handle);
+    result = load_program(*this, image);
   } catch (const std::bad_alloc&) {
     result = {nullptr, ENOMEM, "no memory for the program"};
   }

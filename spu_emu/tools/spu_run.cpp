@@ -109,12 +109,18 @@ struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
+/// Reads no further than a program can be long: a name may be that of a device without an end.
 std::vector<char> read_program(const std::string& name) {
   constexpr std::size_t kStep = 65536;
+  constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
   const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(name.c_str(), "rb"));
   std::vector<char> bytes;
   std::size_t got = file ? kStep : 0;
   while (got == kStep) {
+    if (bytes.size() >= kMostBytes) {
+      throw Failure(kNoProgram, name + ": an SPU program has at most " + std::to_string(kMostBytes) +
+                                    " bytes, and the file has more");
+    }
     bytes.resize(bytes.size() + kStep);
     got = std::fread(bytes.data() + bytes.size() - kStep, 1, kStep, file.get());
     bytes.resize(bytes.size() - kStep + got);
@@ -134,8 +140,7 @@ Context load(std::vector<char>& file, const std::string& name) {
   if (!elf.program) throw Failure(kNoProgram, name + ": " + elf.error);
   Context context(spe_context_create(SPE_EVENTS_ENABLE, nullptr));
   if (!context) throw Failure(kNoProgram, std::string("no SPE: ") + std::strerror(errno));
-  spe_program_handle_t program{sizeof program, file.data(), nullptr};
-  if (spe_program_load(context.get(), &program) != 0) {
+  if (spu_emu::program_load(context.get(), file.data(), file.size()) != 0) {
     throw Failure(kNoProgram, name + ": " + spu_emu::last_fault(context.get()));
   }
   return context;

@@ -5,6 +5,7 @@
 #include <libspe2.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
@@ -65,6 +66,10 @@ class SettingsScope {
   const EmulationSettings* outer_;
   EmulationSettings settings_;
 };
+
+/// spe_program_load of an image of `size` bytes, beyond which nothing is read whatever its headers say: how a
+/// file that somebody else made is loaded from memory.
+int program_load(spe_context_ptr_t spe, const void* image, std::size_t size);
 
 /// What one SPE has done since its context was created. Commands and bytes count when they move.
 struct SpeStatistics {
