@@ -10,6 +10,7 @@
 #include "host/fiber.h"
 #include "host/host_local_store.h"
 #include "host/module.h"
+#include "host/program_guard.h"
 #include "spe/program_loader.h"
 #include "spe/spe.h"
 #include "spu_emu/services.h"
@@ -34,6 +35,12 @@ class HostProgram final : public Program {
 
   // The program's side, called on its stack.
   SpuChannels& channels() { return spe_.channels(); }
+  ProgramGuard& guard() { return guard_; }
+  /// Throws Fault when the stack at `frame` is deeper than the program may go: in late mode than its reserve,
+  /// else than leaves room for what it calls.
+  void check_stack(const void* frame) const {
+    if (reinterpret_cast<std::uintptr_t>(frame) < lowest_frame_) stack_too_deep(frame);
+  }
   void stop_here(const Stop& stop);
   [[noreturn]] void stop_for_good(const Stop& stop);
   /// Remembers a fault as the reason of the stop to come; whatever is in flight never lands.
@@ -55,6 +62,14 @@ class HostProgram final : public Program {
 
  private:
   static void enter(void* self);
+  static void interrupted(void* self);
+  std::uintptr_t lowest_frame() const;
+  [[noreturn]] void stack_too_deep(const void* frame) const;
+  /// Runs main to its end; false when an exception left it, which is then noted as a fault.
+  bool run_main(int& code);
+  Fault fault_of(const Interruption& what) const;
+  Fault memory_fault(const Interruption& what) const;
+  std::string place_of(std::uintptr_t instruction) const;
   std::uint32_t ls_outside_arena(const volatile void* pointer, const Command& command);
   Stop run_fiber();
   void note_high_water();
@@ -62,6 +77,8 @@ class HostProgram final : public Program {
   Spe& spe_;
   HostLocalStore store_;
   HostServices services_;
+  ProgramGuard guard_;
+  const std::uintptr_t lowest_frame_;
   std::unique_ptr<Module> module_;
   std::optional<Fiber> fiber_;
   Arguments arguments_;

@@ -49,15 +49,27 @@ void add_segments(const dl_phdr_info& info, std::vector<ModuleSegment>& segments
   }
 }
 
+CodeRange code_of(const dl_phdr_info& info) {
+  for (int i = 0; i < info.dlpi_phnum; ++i) {
+    const ElfW(Phdr)& header = info.dlpi_phdr[i];
+    if (header.p_type != PT_LOAD || (header.p_flags & PF_X) == 0) continue;
+    const std::uintptr_t begin = info.dlpi_addr + header.p_vaddr;
+    return {begin, begin + header.p_memsz};
+  }
+  return {};
+}
+
 struct SegmentSearch {
   std::uintptr_t base;
   std::vector<ModuleSegment> segments;
+  CodeRange code;
 };
 
 int find_module(dl_phdr_info* info, std::size_t, void* data) {
   auto* search = static_cast<SegmentSearch*>(data);
   if (info->dlpi_addr != search->base) return 0;
   add_segments(*info, search->segments);
+  search->code = code_of(*info);
   return 1;
 }
 }  // namespace
@@ -116,9 +128,15 @@ int Module::run(const HostServices& services, unsigned long long speid, unsigned
 }
 
 std::vector<ModuleSegment> Module::segments() const {
-  SegmentSearch search{reinterpret_cast<std::uintptr_t>(base_), {}};
+  SegmentSearch search{base(), {}, {}};
   dl_iterate_phdr(&find_module, &search);
   return std::move(search.segments);
+}
+
+CodeRange Module::code() const {
+  SegmentSearch search{base(), {}, {}};
+  dl_iterate_phdr(&find_module, &search);
+  return search.code;
 }
 
 }  // namespace spu_emu

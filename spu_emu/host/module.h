@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/host_local_store.h"
+#include "host/program_guard.h"
 #include "spu_emu/services.h"
 
 namespace spu_emu {
@@ -30,6 +31,10 @@ class Module {
           unsigned long long envp);
   /// Constants and data of the program, in the order of their addresses.
   std::vector<ModuleSegment> segments() const;
+  /// Addresses of its code.
+  CodeRange code() const;
+  /// Where the dynamic linker put the module's address 0.
+  std::uintptr_t base() const { return reinterpret_cast<std::uintptr_t>(base_); }
 
  private:
   Module() = default;

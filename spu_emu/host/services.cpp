@@ -13,7 +13,9 @@ HostProgram& program_of(void* spe) {
 /// destroy.
 template <class Use>
 auto guarded(void* spe, Use&& use) {
+  const OutsideProgram outside(program_of(spe).guard());
   try {
+    program_of(spe).check_stack(__builtin_frame_address(0));
     return use(program_of(spe));
   } catch (const Fault& fault) {
     program_of(spe).note_fault(fault);

@@ -45,6 +45,7 @@ class IsaProgram final : public Program, private StoreObserver {
   Stop translate(const MachineStop& stop);
   Stop at_stop_instruction(const MachineStop& stop);
   MachineStop execute();
+  MachineStop run_until_deadline(std::uint64_t most);
   Stop end_by(const Fault& fault);
   std::string place_of(std::uint32_t pc) const;
   void note_progress();

@@ -38,6 +38,10 @@ class Spe {
   Stop start(const Arguments& arguments);
   Stop resume(unsigned int entry);
 
+  /// Counts the SPEs of the process, as the timeline does.
+  unsigned number() const { return number_; }
+  /// When the program that runs has used up its time.
+  WaitPoint::Time deadline() const { return deadline_; }
   const EmulationSettings& settings() const { return settings_; }
   Arena& arena() { return arena_; }
   SpuChannels& channels() { return channels_; }
@@ -60,8 +64,10 @@ class Spe {
   void use_store(LocalStoreView& store);
   template <class Run>
   Stop traced(Run&& run);
+  void set_deadline(WaitPoint::Time begin);
 
   const EmulationSettings settings_;
+  const unsigned number_;
   SpeTrace trace_;
   Arena arena_;
   FlatLocalStore empty_store_;
@@ -71,6 +77,8 @@ class Spe {
   CommandQueue proxy_;
   std::mutex program_mutex_;
   std::unique_ptr<Program> program_;
+  WaitPoint::Time deadline_ = WaitPoint::Time::max();
+  std::chrono::steady_clock::duration time_used_{};
   std::mutex fault_mutex_;
   std::string last_fault_;
 };

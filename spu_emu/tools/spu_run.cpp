@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -24,6 +25,9 @@ namespace {
 /// Exit codes that do not come from the program.
 enum ExitCode { kUsage = 124, kFault = 125, kNoProgram = 126, kNoFile = 127 };
 
+/// A year.
+constexpr double kMostSeconds = 365.0 * 24 * 3600;
+
 constexpr const char* kFooter =
     "Exit codes: the program's own; 124 bad usage; 125 the program broke a rule, halted or stopped with a "
     "code that\n"
@@ -36,7 +40,7 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  spu-run hello.elf\n"
     "  spu-run --stats --dma late --seed 7 kernel.elf input.txt 100\n"
-    "  spu-run --no-files --max-instructions 1000000000 stranger.elf\n"
+    "  spu-run --no-files --timeout 10 stranger.elf\n"
     "  spu-run --trace run.json kernel.elf        (opens in Perfetto)\n"
     "  spu-run --cycles --cycle-parameter sharing_spes=6 kernel.elf\n";
 
@@ -67,6 +71,14 @@ void add_options(CLI::App& app, Options& options) {
       "--no-files", [&options] { options.settings.library_calls = spu_emu::LibraryCallAccess::console; },
       "Refuse to open files of this machine; printf and the standard streams still work");
   app.add_option("--max-instructions", options.settings.instruction_limit, "Stop after so many instructions");
+  app.add_option_function<double>(
+         "--timeout",
+         [&options](double seconds) {
+           options.settings.time_limit = std::chrono::milliseconds(std::llround(std::ceil(seconds * 1000)));
+         },
+         "Stop after so many seconds, waits included")
+      ->check(CLI::Range(0.001, kMostSeconds).description(""))
+      ->type_name("SECONDS");
   app.add_option("--dma", options.settings.dma_mode,
                  "When bytes of a transfer move: eager, late or unchecked")
       ->transform(CLI::CheckedTransformer(modes, CLI::ignore_case).description(""))

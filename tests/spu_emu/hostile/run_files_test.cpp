@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "../isa/elf/elf_builder.h"
 #include "lies.h"
 
 extern char** environ;
@@ -52,9 +53,10 @@ class Workplace {
     ASSERT_EQ(chmod(program().c_str(), 0755), 0);
   }
 
-  Outcome run(const char* program_name) const {
-    std::array<const char*, 6> arguments{SPU_EMU_RUN, "--no-files", "--max-instructions",
-                                         "100",       program_name, nullptr};
+  Outcome run(const char* program_name) const { return run("--max-instructions", "100", program_name); }
+
+  Outcome run(const char* option, const char* value, const char* program_name) const {
+    std::array<const char*, 6> arguments{SPU_EMU_RUN, "--no-files", option, value, program_name, nullptr};
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors().c_str(), O_CREAT | O_WRONLY | O_TRUNC,
@@ -116,6 +118,18 @@ TEST(LyingFileCommand, runs_a_file_as_it_should_be) {
   const Outcome outcome = place.run(place.program().c_str());
   ASSERT_TRUE(WIFEXITED(outcome.status));
   EXPECT_EQ(WEXITSTATUS(outcome.status), 0x17) << outcome.errors;
+}
+
+TEST(LyingFileCommand, ends_a_loop_at_the_timeout_with_a_sentence) {
+  constexpr std::uint32_t kBranchToItself = 0x32000000;
+  const Workplace place;
+  place.write_program(isa::ElfBuilder(0, {{0, {kBranchToItself}}}).build());
+  const Outcome outcome = place.run("--timeout", "0.05", place.program().c_str());
+  expect_sentence(outcome);
+  EXPECT_EQ(WEXITSTATUS(outcome.status), 125);
+  EXPECT_NE(outcome.errors.find("has run for 50 ms and has not ended"), std::string::npos) << outcome.errors;
+  const Outcome refused = place.run("--timeout", "-1", place.program().c_str());
+  EXPECT_EQ(WEXITSTATUS(refused.status), 124) << refused.errors;
 }
 
 TEST(LyingFileCommand, reads_a_device_without_an_end_no_further_than_a_program_can_be_long) {
