@@ -1,5 +1,5 @@
 /// @file
-/// Reads what the loader must know of a program module, trusting none of its numbers.
+/// Reads what the loader must know of a program module, trusting none of its headers' numbers.
 #ifndef SPU_EMU_HOST_ELF_IMAGE_H
 #define SPU_EMU_HOST_ELF_IMAGE_H
 
@@ -7,16 +7,17 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace spu_emu {
 
-/// Whether the bytes at `image` begin like a program module; the caller vouches for 64 of them.
-bool is_module(const std::byte* image);
+/// Whether the bytes begin like a program module.
+bool is_module(std::span<const std::byte> image);
 
-/// Bytes of the module at `image`, which is one: up to the end of its section headers, which linkers put
-/// last.
-std::size_t module_size(const std::byte* image);
+/// Bytes that a module says it has: the end of its last table or segment. `known` are its first bytes, its
+/// header at least; while its segment headers are not among them, the number is where those end.
+std::uint64_t claimed_module_size(std::span<const std::byte> known);
 
 /// A module's file with its constructors taken out of the dynamic linker's hands: `init_array` says where
 /// they are (addresses relative to the load address).
@@ -26,8 +27,10 @@ struct PreparedModule {
   std::uint64_t init_count = 0;
 };
 
-/// Nothing if `file` is no well-formed x86-64 shared object.
-std::optional<PreparedModule> prepare_module(std::span<const std::byte> file);
+/// Nothing, with the reason in `error`, if `file` is no well-formed x86-64 shared object: every segment lies
+/// inside the file, loaded ones follow one another, and the others lie inside of them. What the dynamic
+/// linker finds in the segments (symbols, relocations) is not looked at: it is trusted as the code is.
+std::optional<PreparedModule> prepare_module(std::span<const std::byte> file, std::string& error);
 
 }  // namespace spu_emu
 

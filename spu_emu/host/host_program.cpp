@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <new>
+#include <utility>
 
 #include "mfc/format.h"
 
@@ -19,18 +21,23 @@ constexpr unsigned kSpuMxcsr = 0xffc0;
 HostProgram::HostProgram(Spe& spe)
     : spe_(spe),
       store_(spe.arena(), spe.settings().code_reserve, spe.settings().stack_reserve),
-      services_(make_services(*this)) {}
+      services_(make_services(*this)),
+      guard_(spe.arena().stack_top(), &HostProgram::interrupted, this),
+      lowest_frame_(lowest_frame()) {
+  guard_.contains_errors = spe.settings().contain_faults;
+}
 
-LoadResult HostProgram::load(Spe& spe, const spe_program_handle_t& handle) {
+LoadResult HostProgram::load(Spe& spe, std::span<const std::byte> image) {
   auto program = std::make_unique<HostProgram>(spe);
   std::string error;
-  program->module_ = Module::load(handle, error);
+  program->module_ = Module::load(image, error);
   if (!program->module_) return {nullptr, EINVAL, error};
   if (!program->store_.place(program->module_->segments())) {
     return {nullptr, ENOMEM,
             "the program's data does not fit between code and stack reserve; raise the local store limit\n" +
                 program->store_.map()};
   }
+  program->guard_.code = program->module_->code();
   program->note_high_water();
   return {std::move(program), 0, {}};
 }
@@ -38,20 +45,36 @@ LoadResult HostProgram::load(Spe& spe, const spe_program_handle_t& handle) {
 void HostProgram::enter(void* self) {
   auto& program = *static_cast<HostProgram*>(self);
   _mm_setcsr(kSpuMxcsr);
-  const Arguments& arguments = program.arguments_;
-  const int code = program.module_->run(program.services_, arguments.speid, arguments.argp, arguments.envp);
+  int code = 0;
+  if (!program.run_main(code)) program.stop_for_end();
   constexpr unsigned kExit = 0x2000;
   program.services_.stop(self, kExit | (static_cast<unsigned>(code) & 0xffU), {});
 }
 
+bool HostProgram::run_main(int& code) {
+  try {
+    guard_.in_program.store(true);
+    code = module_->run(services_, arguments_.speid, arguments_.argp, arguments_.envp);
+    guard_.in_program.store(false);
+    return true;
+  } catch (...) {
+    guard_.in_program.store(false);
+    note_end({End::left_main, std::current_exception()});
+  }
+  return false;
+}
+
 Stop HostProgram::start(const Arguments& arguments) {
   arguments_ = arguments;
+  // Before the fiber, which begins with the signals that are let through here.
+  const GuardScope scope(guard_, spe_.deadline());
   fiber_.reset();
   fiber_.emplace(spe_.arena().stack(), Arena::kStackSize, &HostProgram::enter, this);
   return run_fiber();
 }
 
 Stop HostProgram::resume(unsigned int) {
+  const GuardScope scope(guard_, spe_.deadline());
   return run_fiber();
 }
 
@@ -61,6 +84,7 @@ Stop HostProgram::run_fiber() {
   const unsigned outside = _mm_getcsr();
   fiber_->resume();
   _mm_setcsr(outside);
+  if (end_.kind != End::none) report_end();
   return stop_;
 }
 
@@ -80,14 +104,118 @@ void HostProgram::stop_for_good(const Stop& stop) {
   for (;;) stop_here(stop);
 }
 
-void HostProgram::note_fault(const Fault& fault) {
-  channels().abandon();
-  spe_.set_last_fault(fault.text());
-  fault_report_ = stop_report(fault.rule());
+void HostProgram::note_end(End end) {
+  end_ = std::move(end);
 }
 
-void HostProgram::stop_for_fault() {
-  stop_for_good({Stop::Kind::fault, 0, 0, fault_report_});
+void HostProgram::stop_for_end() {
+  stop_for_good({Stop::Kind::fault, 0, 0, {}});
+}
+
+/// On the program's stack, of which nothing is left.
+void HostProgram::interrupted(void* self) {
+  auto& program = *static_cast<HostProgram*>(self);
+  _mm_setcsr(kSpuMxcsr);
+  program.note_end({End::interrupted, nullptr});
+  program.stop_for_end();
+}
+
+void HostProgram::report_end() {
+  const End end = std::exchange(end_, {});
+  channels().abandon();
+  const Fault fault = fault_of(end);
+  spe_.set_last_fault(fault.text());
+  stop_.report = stop_report(fault.rule());
+}
+
+Fault HostProgram::fault_of(const End& end) const {
+  if (end.kind == End::interrupted) return fault_of(guard_.what);
+  std::string what = "of a type that is no std::exception";
+  try {
+    std::rethrow_exception(end.error);
+  } catch (const Fault& fault) {
+    return fault;
+  } catch (const std::bad_alloc&) {
+    if (end.kind == End::in_service) throw;
+    what = "there was no memory";
+  } catch (const std::exception& error) {
+    what = error.what();
+  } catch (...) {
+  }
+  return Fault(Rule::exception,
+               format("an exception left main of SPE %u's program: %s", spe_.number(), what.c_str()));
+}
+
+std::string HostProgram::place_of(std::uintptr_t instruction) const {
+  if (!guard_.code.holds(instruction)) return "in a library function";
+  return format("at 0x%lx of its module", instruction - module_->base());
+}
+
+Fault HostProgram::fault_of(const Interruption& what) const {
+  const std::string place = place_of(what.instruction);
+  const unsigned spe = spe_.number();
+  switch (what.signal) {
+    case 0:
+      return Fault(Rule::time_limit,
+                   format("SPE %u's program has run for %lld ms and has not ended, %s", spe,
+                          static_cast<long long>(spe_.settings().time_limit.count()), place.c_str()));
+    case SIGFPE:
+      return Fault(
+          Rule::arithmetic,
+          format("SPE %u's program divided an integer by zero, or the lowest by -1, %s", spe, place.c_str()));
+    case SIGILL:
+      return Fault(Rule::illegal_instruction,
+                   format("SPE %u's program came to what is no instruction, %s", spe, place.c_str()));
+    case SIGABRT:
+      return Fault(Rule::abort, format("SPE %u's program called abort(), or something that does", spe));
+    default:
+      return memory_fault(what);
+  }
+}
+
+/// A stack that is full meets the pages below it, a buffer's end those behind the local store.
+Fault HostProgram::memory_fault(const Interruption& what) const {
+  constexpr std::uintptr_t kNear = 1U << 24U;
+  const std::string place = place_of(what.instruction);
+  const unsigned spe = spe_.number();
+  const std::uintptr_t below_stack = reinterpret_cast<std::uintptr_t>(spe_.arena().stack()) - what.address;
+  const std::uintptr_t ls = what.address - reinterpret_cast<std::uintptr_t>(spe_.arena().base());
+  const std::uint32_t size = spe_.arena().local_store_size();
+  if (below_stack - 1 < kNear) {
+    return Fault(
+        Rule::stack_overflow,
+        format("SPE %u's program has used up the %u bytes of its stack, %s; does it call itself without end?",
+               spe, Arena::kStackSize, place.c_str()));
+  }
+  if (ls >= size && ls - size < kNear) {
+    return Fault(Rule::memory_access,
+                 format("SPE %u's program used LS 0x%lx, beyond the %u bytes of its local store, %s", spe, ls,
+                        size, place.c_str()));
+  }
+  return Fault(Rule::memory_access, format("SPE %u's program used address 0x%lx, where it has no memory, %s",
+                                           spe, what.address, place.c_str()));
+}
+
+/// What the program calls needs room, too, and must not meet the stack's end: it may hold locks.
+std::uintptr_t HostProgram::lowest_frame() const {
+  constexpr std::uint32_t kRoom = 64 * 1024;
+  std::uint32_t most = Arena::kStackSize - kRoom;
+  const EmulationSettings& settings = spe_.settings();
+  if (kGuardsPrograms && settings.dma_mode == DmaMode::late && settings.local_store_limit != 0) {
+    most = std::min(most, settings.stack_reserve);
+  }
+  return reinterpret_cast<std::uintptr_t>(spe_.arena().stack_top()) - most;
+}
+
+void HostProgram::stack_too_deep(const void* frame) const {
+  const std::uintptr_t depth =
+      reinterpret_cast<std::uintptr_t>(spe_.arena().stack_top()) - reinterpret_cast<std::uintptr_t>(frame);
+  const std::uintptr_t most = reinterpret_cast<std::uintptr_t>(spe_.arena().stack_top()) - lowest_frame_;
+  throw Fault(
+      Rule::stack_reserve,
+      format("SPE %u's program has %lu bytes on its stack and may have %lu; raise stack_reserve, up to "
+             "the %u bytes of the stack, or use less",
+             spe_.number(), depth, most, Arena::kStackSize));
 }
 
 std::uint32_t HostProgram::ls_outside_arena(const volatile void* pointer, const Command& command) {

@@ -4,12 +4,14 @@
 #define SPU_EMU_HOST_HOST_PROGRAM_H
 
 #include <atomic>
+#include <exception>
 #include <memory>
 #include <optional>
 
 #include "host/fiber.h"
 #include "host/host_local_store.h"
 #include "host/module.h"
+#include "host/program_guard.h"
 #include "spe/program_loader.h"
 #include "spe/spe.h"
 #include "spu_emu/services.h"
@@ -18,7 +20,7 @@ namespace spu_emu {
 
 class HostProgram final : public Program {
  public:
-  static LoadResult load(Spe& spe, const spe_program_handle_t& handle);
+  static LoadResult load(Spe& spe, std::span<const std::byte> image);
   explicit HostProgram(Spe& spe);
 
   HostLocalStore& store() override { return store_; }
@@ -34,12 +36,24 @@ class HostProgram final : public Program {
 
   // The program's side, called on its stack.
   SpuChannels& channels() { return spe_.channels(); }
+  ProgramGuard& guard() { return guard_; }
+  /// Throws Fault when the stack at `frame` is deeper than the program may go: in late mode than its reserve,
+  /// else than leaves room for what it calls.
+  void check_stack(const void* frame) const {
+    if (reinterpret_cast<std::uintptr_t>(frame) < lowest_frame_) stack_too_deep(frame);
+  }
   void stop_here(const Stop& stop);
   [[noreturn]] void stop_for_good(const Stop& stop);
-  /// Remembers a fault as the reason of the stop to come; whatever is in flight never lands.
-  void note_fault(const Fault& fault);
-  /// Ends the program for the fault noted.
-  [[noreturn]] void stop_for_fault();
+  /// Why a program ends before its time. What is to be said of it is put into words off its stack, where
+  /// memory may run out once more.
+  struct End {
+    enum Kind { none, in_service, left_main, interrupted } kind = none;
+    std::exception_ptr error{};
+  };
+  /// Remembers the reason of the stop to come; whatever is in flight never lands.
+  void note_end(End end);
+  /// Ends the program for the reason noted.
+  [[noreturn]] void stop_for_end();
   /// The LS address of a program's pointer. Throws Fault if it is none.
   std::uint32_t ls_of(const volatile void* pointer, const Command& command) {
     if (store_.in_arena(pointer)) return store_.ls_of_arena(pointer);
@@ -55,6 +69,17 @@ class HostProgram final : public Program {
 
  private:
   static void enter(void* self);
+  static void interrupted(void* self);
+  std::uintptr_t lowest_frame() const;
+  [[noreturn]] void stack_too_deep(const void* frame) const;
+  /// Runs main to its end; false when an exception left it, which is then noted.
+  bool run_main(int& code);
+  /// Throws std::bad_alloc, too, when that is the reason.
+  void report_end();
+  Fault fault_of(const End& end) const;
+  Fault fault_of(const Interruption& what) const;
+  Fault memory_fault(const Interruption& what) const;
+  std::string place_of(std::uintptr_t instruction) const;
   std::uint32_t ls_outside_arena(const volatile void* pointer, const Command& command);
   Stop run_fiber();
   void note_high_water();
@@ -62,13 +87,15 @@ class HostProgram final : public Program {
   Spe& spe_;
   HostLocalStore store_;
   HostServices services_;
+  ProgramGuard guard_;
+  const std::uintptr_t lowest_frame_;
   std::unique_ptr<Module> module_;
   std::optional<Fiber> fiber_;
   Arguments arguments_;
   Stop stop_;
   bool suspended_ = false;
   unsigned int entry_ = 0;
-  StopReport fault_report_{};
+  End end_;
   std::atomic<std::uint32_t> high_water_{0};
 };
 

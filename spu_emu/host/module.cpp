@@ -49,6 +49,16 @@ void add_segments(const dl_phdr_info& info, std::vector<ModuleSegment>& segments
   }
 }
 
+CodeRange code_of(const dl_phdr_info& info) {
+  for (int i = 0; i < info.dlpi_phnum; ++i) {
+    const ElfW(Phdr)& header = info.dlpi_phdr[i];
+    if (header.p_type != PT_LOAD || (header.p_flags & PF_X) == 0) continue;
+    const std::uintptr_t begin = info.dlpi_addr + header.p_vaddr;
+    return {begin, begin + header.p_memsz};
+  }
+  return {};
+}
+
 struct ModuleSearch {
   std::uintptr_t base;
   dl_phdr_info found{};
@@ -61,15 +71,18 @@ int find_module(dl_phdr_info* info, std::size_t, void* data) {
   search->found = *info;
   return 1;
 }
+
+/// Of the module that was loaded there.
+dl_phdr_info headers_at(std::uintptr_t base) {
+  ModuleSearch search{base};
+  dl_iterate_phdr(&find_module, &search);
+  return search.found;
+}
 }  // namespace
 
-std::unique_ptr<Module> Module::load(const spe_program_handle_t& program, std::string& error) {
-  const auto* bytes = static_cast<const std::byte*>(program.elf_image);
-  const auto prepared = prepare_module({bytes, module_size(bytes)});
-  if (!prepared) {
-    error = "the image is no x86-64 program module";
-    return nullptr;
-  }
+std::unique_ptr<Module> Module::load(std::span<const std::byte> image, std::string& error) {
+  const auto prepared = prepare_module(image, error);
+  if (!prepared) return nullptr;
   std::unique_ptr<Module> module(new Module);
   module->init_array_ = prepared->init_array;
   module->init_count_ = prepared->init_count;
@@ -121,11 +134,13 @@ int Module::run(const HostServices& services, unsigned long long speid, unsigned
 }
 
 std::vector<ModuleSegment> Module::segments() const {
-  ModuleSearch search{reinterpret_cast<std::uintptr_t>(base_)};
-  dl_iterate_phdr(&find_module, &search);
   std::vector<ModuleSegment> segments;
-  add_segments(search.found, segments);
+  add_segments(headers_at(base()), segments);
   return segments;
+}
+
+CodeRange Module::code() const {
+  return code_of(headers_at(base()));
 }
 
 }  // namespace spu_emu

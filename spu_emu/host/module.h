@@ -3,13 +3,13 @@
 #ifndef SPU_EMU_HOST_MODULE_H
 #define SPU_EMU_HOST_MODULE_H
 
-#include <libspe2-types.h>
-
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "host/host_local_store.h"
+#include "host/program_guard.h"
 #include "spu_emu/services.h"
 
 namespace spu_emu {
@@ -21,7 +21,7 @@ class Module {
   using Entry = int (*)(unsigned long long speid, unsigned long long argp, unsigned long long envp);
 
   /// Loads the image; null, with the reason in `error`, if it is no module made by add_spu_program.
-  static std::unique_ptr<Module> load(const spe_program_handle_t& program, std::string& error);
+  static std::unique_ptr<Module> load(std::span<const std::byte> image, std::string& error);
   ~Module();
   Module(const Module&) = delete;
   Module& operator=(const Module&) = delete;
@@ -31,6 +31,10 @@ class Module {
           unsigned long long envp);
   /// Constants and data of the program, in the order of their addresses.
   std::vector<ModuleSegment> segments() const;
+  /// Addresses of its code.
+  CodeRange code() const;
+  /// Where the dynamic linker put the module's address 0.
+  std::uintptr_t base() const { return reinterpret_cast<std::uintptr_t>(base_); }
 
  private:
   Module() = default;

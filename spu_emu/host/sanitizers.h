@@ -13,6 +13,7 @@
 
 #if defined(__SANITIZE_ADDRESS__) || SPU_EMU_HAS_FEATURE(address_sanitizer)
 #include <sanitizer/common_interface_defs.h>
+#define SPU_EMU_SANITIZED
 #define SPU_EMU_ASAN(call) call
 #else
 #define SPU_EMU_ASAN(call) static_cast<void>(0)
@@ -20,6 +21,7 @@
 
 #if defined(__SANITIZE_THREAD__) || SPU_EMU_HAS_FEATURE(thread_sanitizer)
 #include <sanitizer/tsan_interface.h>
+#define SPU_EMU_SANITIZED
 #define SPU_EMU_TSAN(call) call
 #else
 #define SPU_EMU_TSAN(call) static_cast<void>(0)

@@ -9,16 +9,18 @@ HostProgram& program_of(void* spe) {
   return *static_cast<HostProgram*>(spe);
 }
 
-/// Calls `use`; a Fault leaves the program, after the exception has been dealt with and nothing is left to
-/// destroy.
+/// Calls `use`; a Fault, or want of memory, leaves the program, after the exception has been dealt with and
+/// nothing is left to destroy.
 template <class Use>
 auto guarded(void* spe, Use&& use) {
+  const OutsideProgram outside(program_of(spe).guard());
   try {
+    program_of(spe).check_stack(__builtin_frame_address(0));
     return use(program_of(spe));
-  } catch (const Fault& fault) {
-    program_of(spe).note_fault(fault);
+  } catch (...) {
+    program_of(spe).note_end({HostProgram::End::in_service, std::current_exception()});
   }
-  program_of(spe).stop_for_fault();
+  program_of(spe).stop_for_end();
 }
 
 unsigned int read_channel(void* spe, unsigned int channel, SourceLine where) {

@@ -28,13 +28,13 @@ spe_gang_context_ptr_t spe_gang_context_create(unsigned int flags);
 /* EBUSY while contexts of the gang exist. */
 int spe_gang_context_destroy(spe_gang_context_ptr_t gang);
 
-/* A program image from a file, mapped until spe_image_close. EACCES if not executable, EINVAL if no SPU
- * program. */
+/* A program image from a file, a copy of it until spe_image_close. EACCES if not executable, EINVAL if no SPU
+ * program, EFBIG beyond 256 MB. */
 spe_program_handle_t* spe_image_open(const char* filename);
 int spe_image_close(spe_program_handle_t* program);
 /* Loads a program of its own copy of all writable data into the context. EINVAL for an image that is no SPU
- * program, ENOTSUP for an SPU ELF (no engine here executes it), ENOMEM when code, data and stack reserve
- * exceed the limit; spu_emu::last_fault says more. */
+ * program or whose headers lead to where no memory can be read, ENOTSUP for one that no engine here
+ * executes, ENOMEM when code, data and stack reserve exceed the limit; spu_emu::last_fault says more. */
 int spe_program_load(spe_context_ptr_t spe, spe_program_handle_t* program);
 
 /* Runs the loaded program on the calling thread until it stops. entry: SPE_DEFAULT_ENTRY starts it, the value

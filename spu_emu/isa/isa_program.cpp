@@ -30,9 +30,7 @@ IsaProgram::IsaProgram(Spe& spe)
   machine_.set_observer(*cycles_);
 }
 
-LoadResult IsaProgram::load(Spe& spe, const spe_program_handle_t& handle) {
-  const auto* image = static_cast<const std::byte*>(handle.elf_image);
-  const std::span<const std::byte> file(image, elf_size_in_memory(image));
+LoadResult IsaProgram::load(Spe& spe, std::span<const std::byte> file) {
   ElfResult elf = read_elf(file);
   if (!elf.program) return {nullptr, EINVAL, elf.error};
   auto program = std::make_unique<IsaProgram>(spe);
@@ -103,7 +101,22 @@ MachineStop IsaProgram::execute() {
   const std::uint64_t limit = spe_.settings().instruction_limit;
   const std::uint64_t done = machine_.instructions();
   const std::uint64_t allowed = limit == 0 ? UINT64_MAX - done : limit - std::min(limit, done);
-  return machine_.run(allowed);
+  return spe_.deadline() == WaitPoint::Time::max() ? machine_.run(allowed)
+                                                   : run_until_deadline(done + allowed);
+}
+
+/// Looks at the clock every few milliseconds. `most` counts from the program's start.
+MachineStop IsaProgram::run_until_deadline(std::uint64_t most) {
+  constexpr std::uint64_t kBetweenLooks = 1U << 18U;
+  for (;;) {
+    const std::uint64_t left = most - machine_.instructions();
+    const MachineStop stop = machine_.run(std::min(left, kBetweenLooks));
+    if (stop.kind != MachineStop::Kind::budget || left <= kBetweenLooks) return stop;
+    if (std::chrono::steady_clock::now() < spe_.deadline()) continue;
+    throw Fault(Rule::time_limit,
+                format("SPE %u's program has run for %lld ms and has not ended", spe_.number(),
+                       static_cast<long long>(spe_.settings().time_limit.count())));
+  }
 }
 
 Stop IsaProgram::translate(const MachineStop& stop) {

@@ -19,7 +19,7 @@ namespace spu_emu::isa {
 
 class IsaProgram final : public Program, private StoreObserver {
  public:
-  static LoadResult load(Spe& spe, const spe_program_handle_t& handle);
+  static LoadResult load(Spe& spe, std::span<const std::byte> file);
   explicit IsaProgram(Spe& spe);
 
   LocalStoreView& store() override { return store_.view(); }
@@ -45,6 +45,7 @@ class IsaProgram final : public Program, private StoreObserver {
   Stop translate(const MachineStop& stop);
   Stop at_stop_instruction(const MachineStop& stop);
   MachineStop execute();
+  MachineStop run_until_deadline(std::uint64_t most);
   Stop end_by(const Fault& fault);
   std::string place_of(std::uint32_t pc) const;
   void note_progress();

@@ -1,14 +1,8 @@
 // libspe2: contexts, gangs, program images, areas and machine information.
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <memory>
 #include <new>
 #include <thread>
 
-#include "isa/elf/elf_loader.h"
 #include "libspe2/context.h"
 #include "libspe2/load_program.h"
 #include "libspe2/program_image.h"
@@ -20,38 +14,9 @@ using spu_emu::fail;
 
 constexpr int kSpesPerNode = 8;
 
-/// A handle with the size of its mapping behind it.
-struct ImageHandle {
-  spe_program_handle_t program{};
-  std::size_t size = 0;
-};
-
 int node_count() {
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   return processors <= kSpesPerNode ? 1 : (processors + kSpesPerNode - 1) / kSpesPerNode;
-}
-
-/// An open file's whole content, or MAP_FAILED with errno.
-void* map_program(int file, std::size_t& size) {
-  struct stat status {};
-  if (fstat(file, &status) != 0) return MAP_FAILED;
-  constexpr std::size_t kSmallest = 64;
-  size = static_cast<std::size_t>(status.st_size);
-  errno = EINVAL;
-  if (size < kSmallest) return MAP_FAILED;
-  errno = EACCES;
-  if ((status.st_mode & (S_IXUSR | S_IXGRP | S_IXOTH)) == 0) return MAP_FAILED;
-  void* image = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
-  if (image == MAP_FAILED) return image;
-  const spu_emu::ImageKind kind = spu_emu::image_kind(image);
-  if (kind == spu_emu::ImageKind::host_module && spu_emu::image_size(image) <= size) return image;
-  if (kind == spu_emu::ImageKind::spu_elf &&
-      spu_emu::isa::read_elf({static_cast<const std::byte*>(image), size}).program) {
-    return image;
-  }
-  munmap(image, size);
-  errno = EINVAL;
-  return MAP_FAILED;
 }
 
 std::uint32_t area_offset(ps_area area) {
@@ -128,31 +93,27 @@ spe_program_handle_t* spe_image_open(const char* filename) {
     errno = EINVAL;
     return nullptr;
   }
-  const int file = open(filename, O_RDONLY | O_CLOEXEC);
-  if (file < 0) return nullptr;
-  std::size_t size = 0;
-  void* image = map_program(file, size);
-  const int error = errno;
-  close(file);
-  errno = error;
-  if (image == MAP_FAILED) return nullptr;
-  auto handle = std::make_unique<ImageHandle>();
-  handle->program = {sizeof(spe_program_handle_t), image, nullptr};
-  handle->size = size;
-  return &handle.release()->program;
+  return spu_emu::open_image(filename);
 }
 
 int spe_image_close(spe_program_handle_t* program) {
-  if (program == nullptr) return fail(EINVAL);
-  const std::unique_ptr<ImageHandle> handle(reinterpret_cast<ImageHandle*>(program));
-  return munmap(handle->program.elf_image, handle->size);
+  const int error = spu_emu::close_image(program);
+  return error == 0 ? 0 : fail(error);
 }
 
 int spe_program_load(spe_context_ptr_t spe, spe_program_handle_t* program) {
   if (spe == nullptr) return fail(ESRCH);
   if (program == nullptr) return fail(EINVAL);
+  const spu_emu::ImageBytes image = spu_emu::image_bytes(*program);
+  const int result = spu_emu::program_load(spe, image.bytes.data(), image.bytes.size());
+  if (!image.error.empty() && result != 0 && errno == EINVAL) spe->spe.set_last_fault(image.error);
+  return result;
+}
+
+int spu_emu::program_load(spe_context_ptr_t spe, const void* image, std::size_t size) {
+  if (spe == nullptr) return fail(ESRCH);
   if (spe->running.load()) return fail(EBUSY);
-  const int error = spe->spe.load(*program, &spu_emu::load_program);
+  const int error = spe->spe.load({static_cast<const std::byte*>(image), size}, &spu_emu::load_program);
   return error == 0 ? 0 : fail(error);
 }
 

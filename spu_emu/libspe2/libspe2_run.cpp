@@ -2,6 +2,7 @@
 #include <array>
 #include <csignal>
 #include <cstring>
+#include <new>
 
 #include "libspe2/context.h"
 
@@ -127,6 +128,25 @@ struct Running {
   bool taken;
 };
 
+int run_context(spe_context_ptr_t spe, unsigned int& entry, unsigned int flags, void* argp, void* envp,
+                spe_stop_info_t& info) {
+  int result = 0;
+  {
+    const Running running(spe);
+    if (!running.taken) return fail(EBUSY);
+    const bool fresh = entry == SPE_DEFAULT_ENTRY;
+    if (!fresh && !spe->spe.program()->can_resume(entry)) return fail(EINVAL);
+    info = {};
+    const Stop stop = fresh ? spe->spe.start(make_arguments(spe, flags, argp, envp)) : spe->spe.resume(entry);
+    result = run(spe, stop, flags, info);
+    entry = spe->spe.program()->resume_entry();
+  }
+  const int error = errno;
+  publish_stop(spe, info);
+  errno = error;
+  return result;
+}
+
 }  // namespace
 
 LibraryCall spu_emu::library_call(unsigned int number) {
@@ -140,22 +160,11 @@ int spe_context_run(spe_context_ptr_t spe, unsigned int* entry, unsigned int run
   if (entry == nullptr || !spe->spe.loaded()) return fail(EINVAL);
   spe_stop_info_t unused{};
   spe_stop_info_t& info = stopinfo != nullptr ? *stopinfo : unused;
-  int result = 0;
-  {
-    const Running running(spe);
-    if (!running.taken) return fail(EBUSY);
-    const bool fresh = *entry == SPE_DEFAULT_ENTRY;
-    if (!fresh && !spe->spe.program()->can_resume(*entry)) return fail(EINVAL);
-    info = {};
-    const Stop stop =
-        fresh ? spe->spe.start(make_arguments(spe, runflags, argp, envp)) : spe->spe.resume(*entry);
-    result = run(spe, stop, runflags, info);
-    *entry = spe->spe.program()->resume_entry();
+  try {
+    return run_context(spe, *entry, runflags, argp, envp, info);
+  } catch (const std::bad_alloc&) {
+    return fail(ENOMEM);
   }
-  const int error = errno;
-  publish_stop(spe, info);
-  errno = error;
-  return result;
 }
 
 int spe_stop_info_read(spe_context_ptr_t spe, spe_stop_info_t* stopinfo) {

@@ -10,17 +10,16 @@
 
 namespace spu_emu {
 
-LoadResult load_program(Spe& spe, const spe_program_handle_t& handle) {
-  const ImageKind kind = handle.elf_image == nullptr ? ImageKind::none : image_kind(handle.elf_image);
-  switch (kind) {
+LoadResult load_program(Spe& spe, std::span<const std::byte> image) {
+  switch (image_kind(image)) {
     case ImageKind::host_module:
 #ifdef SPU_EMU_HOST_ENGINE
-      return HostProgram::load(spe, handle);
+      return HostProgram::load(spe, image);
 #else
       return {nullptr, ENOTSUP, "programs compiled for x86-64 do not run here"};
 #endif
     case ImageKind::spu_elf:
-      return isa::IsaProgram::load(spe, handle);
+      return isa::IsaProgram::load(spe, image);
     case ImageKind::none:
       break;
   }

@@ -66,6 +66,18 @@ const char* rule_name(Rule rule) {
       return "stack reserve";
     case Rule::register_access:
       return "problem state access";
+    case Rule::memory_access:
+      return "memory access";
+    case Rule::stack_overflow:
+      return "stack";
+    case Rule::arithmetic:
+      return "arithmetic";
+    case Rule::abort:
+      return "abort";
+    case Rule::exception:
+      return "exceptions stay in the program";
+    case Rule::time_limit:
+      return "time limit";
   }
   return "unknown";
 }
@@ -88,11 +100,20 @@ StopReport stop_report(Rule rule) {
     case Rule::illegal_instruction:
       return {SPE_RUNTIME_ERROR, SPE_SPU_INVALID_INSTR};
     case Rule::instruction_limit:
+    case Rule::time_limit:
       return {SPE_RUNTIME_FATAL, ETIMEDOUT};
+    case Rule::memory_access:
+      return {SPE_RUNTIME_FATAL, EFAULT};
+    case Rule::arithmetic:
+      return {SPE_RUNTIME_FATAL, EDOM};
+    case Rule::abort:
+    case Rule::exception:
+      return {SPE_RUNTIME_FATAL, ECANCELED};
     case Rule::deadlock:
       return {SPE_RUNTIME_ERROR, SPE_SPU_WAITING_ON_CHANNEL};
     case Rule::local_store_full:
     case Rule::stack_reserve:
+    case Rule::stack_overflow:
       return {SPE_RUNTIME_FATAL, ENOMEM};
     default:
       return {SPE_RUNTIME_EXCEPTION, SPE_INVALID_DMA};

@@ -38,7 +38,14 @@ enum class Rule {
   instruction_limit,
   local_store_full,
   stack_reserve,
-  register_access
+  register_access,
+  // Of programs as such, whatever the MFC does.
+  memory_access,
+  stack_overflow,
+  arithmetic,
+  abort,
+  exception,
+  time_limit
 };
 
 /// The rule in a few words, for example "transfer size".
@@ -51,7 +58,8 @@ struct StopReport {
 };
 
 /// The report of a rule: misaligned or badly sized transfers SPE_DMA_ALIGNMENT, addresses SPE_DMA_STORAGE,
-/// other commands SPE_INVALID_DMA; channel misuse and halt are runtime errors, a full local store is fatal.
+/// other commands SPE_INVALID_DMA; channel misuse and halt are runtime errors; a full local store, a limit
+/// reached and what ends a program of any machine are fatal.
 StopReport stop_report(Rule rule);
 
 /// Thrown by the MFC when a rule is broken; the command has had no effect.

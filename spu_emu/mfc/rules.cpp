@@ -1,12 +1,8 @@
 #include "mfc/rules.h"
 
-#include <sys/mman.h>
-
-#include <array>
-#include <cerrno>
-
 #include "mfc/fault.h"
 #include "mfc/format.h"
+#include "mfc/mapped.h"
 #include "mfc/spe_directory.h"
 #include "mfc/tag_table.h"
 
@@ -163,25 +159,6 @@ void check_words(const Command& command, std::uint32_t ls, std::uint64_t ea, std
 }
 
 namespace {
-constexpr std::uint64_t kPage = 4096;
-
-/// Linux can be asked since 5.14 whether pages may be read or written, without touching them. Emulators of
-/// user processes say yes whatever the page.
-bool has_populate() {
-  static const bool has = [] {
-    alignas(kPage) static std::byte page[kPage];
-    return madvise(page, kPage, MADV_POPULATE_WRITE) == 0 && madvise(nullptr, kPage, MADV_POPULATE_READ) != 0;
-  }();
-  return has;
-}
-
-bool is_accessible(std::uint64_t first, std::uint64_t length, bool write) {
-  auto* pages = reinterpret_cast<void*>(first);
-  if (has_populate()) return madvise(pages, length, write ? MADV_POPULATE_WRITE : MADV_POPULATE_READ) == 0;
-  std::array<unsigned char, kLargestTransfer / kPage + 2> present{};
-  return mincore(pages, length, present.data()) == 0 || errno != ENOMEM;
-}
-
 /// An SPE's local store and registers are checked by the transfer itself.
 bool is_in_window(std::uint64_t ea) {
   bool found = false;
@@ -194,9 +171,8 @@ bool is_in_window(std::uint64_t ea) {
 
 void check_mapped(const Command& command, std::uint64_t ea, std::uint32_t size) {
   if (size == 0 || is_in_window(ea)) return;
-  const std::uint64_t first = ea & ~(kPage - 1);
   const bool write = !is_get(command.opcode) && command.opcode != MFC_GETLLAR_CMD;
-  if (!is_accessible(first, ea + size - first, write)) {
+  if (!is_mapped(ea, size, write ? Access::write : Access::read)) {
     fail(Rule::effective_address,
          write ? "this process has no memory there that can be written"
                : "this process has no memory there that can be read",

@@ -25,7 +25,8 @@ constexpr std::uint32_t kTagMaskAll = 0xffffffffU;
 }  // namespace
 
 SpuChannels::SpuChannels(LocalStoreView& store, const Timebase& timebase, const ChannelSetup& setup)
-    : mode_(setup.mode),
+    : spe_(setup.spe),
+      mode_(setup.mode),
       log_(setup.log),
       changed_(setup.also_notified),
       events_(changed_),
@@ -283,7 +284,12 @@ std::uint32_t SpuChannels::read_event_status(SourceLine where) {
   if (!progress_for_events(where)) {
     const WaitSpan span(log_, "wait for events");
     counters_.event_waits.add(1);
-    while (!changed_.wait_until([&] { return events_.status() != 0; }, next_poll())) poll_events();
+    while (!changed_.wait_until([&] { return events_.status() != 0; }, std::min(next_poll(), deadline_))) {
+      if (std::chrono::steady_clock::now() >= deadline_) {
+        fail_deadline("wait for events");
+      }
+      poll_events();
+    }
   }
   return events_.status();
 }

@@ -23,6 +23,8 @@ namespace spu_emu {
 
 /// Settings of one SPU's channels. What the pointers and references mean outlives the channels.
 struct ChannelSetup {
+  /// The SPE's number, for words about it.
+  unsigned spe = 0;
   DmaMode mode = DmaMode::eager;
   std::uint64_t seed = 1;
   SignalMode signal1 = SignalMode::overwrite;
@@ -47,6 +49,8 @@ class SpuChannels final : public ProblemState {
   void dma(const Command& command);
   /// The program stopped: all that is in flight lands.
   void finish() { queue_.land_all(); }
+  /// From here on a read or write that has waited until then is a fault.
+  void set_deadline(WaitPoint::Time deadline) { deadline_ = deadline; }
   /// The program is gone: what is in flight never lands.
   void abandon() { queue_.clear(); }
   TagTable& tags() { return tags_; }
@@ -80,6 +84,9 @@ class SpuChannels final : public ProblemState {
   std::uint32_t read_event_status(SourceLine where);
   void write_tag_update(std::uint32_t kind, SourceLine where);
   void write_out(Mailbox& mailbox, std::uint32_t value, const char* what);
+  [[noreturn]] void fail_deadline(const char* what) const;
+  template <class Ready>
+  void wait_until_ready(const char* what, Ready&& ready);
   void wait_for_tags(std::uint32_t kind, SourceLine where);
   std::uint32_t count_tag_status();
   std::uint32_t count_stall_status();
@@ -91,9 +98,11 @@ class SpuChannels final : public ProblemState {
   std::uint32_t done_tags() const { return queue_.empty() ? tag_mask_ : tag_mask_ & ~queue_.pending_tags(); }
   void set_tag_status();
 
+  const unsigned spe_;
   const DmaMode mode_;
   ActivityLog* log_;
   WaitPoint changed_;
+  WaitPoint::Time deadline_ = WaitPoint::Time::max();
   Events events_;
   ChannelCounters counters_;
   CommandQueue queue_;

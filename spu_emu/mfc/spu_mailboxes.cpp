@@ -1,16 +1,29 @@
 // The mailboxes and signal registers of SpuChannels, from the SPU's side and from the other one.
+#include "mfc/fault.h"
+#include "mfc/format.h"
 #include "mfc/spu_channels.h"
 #include "spu_emu/channel_numbers.h"
 
 namespace spu_emu {
 
+void SpuChannels::fail_deadline(const char* what) const {
+  throw Fault(Rule::time_limit, format("SPE %u's program still waits when its time is over: %s", spe_, what));
+}
+
+/// Sleeps until the other side acts, or the program's time is over.
+template <class Ready>
+void SpuChannels::wait_until_ready(const char* what, Ready&& ready) {
+  const WaitSpan span(log_, what);
+  if (changed_.wait_until(ready, deadline_)) return;
+  fail_deadline(what);
+}
+
 std::uint32_t SpuChannels::read_in_mailbox() {
   queue_.land_stores();
   std::uint32_t message = 0;
   if (!in_.try_read(message)) {
-    const WaitSpan span(log_, "read in mailbox");
     counters_.mailbox_waits.add(1);
-    changed_.wait([&] { return in_.try_read(message); });
+    wait_until_ready("read in mailbox", [&] { return in_.try_read(message); });
   }
   changed_.notify();
   return message;
@@ -19,9 +32,8 @@ std::uint32_t SpuChannels::read_in_mailbox() {
 void SpuChannels::write_out(Mailbox& mailbox, std::uint32_t value, const char* what) {
   queue_.land_stores();
   if (!mailbox.try_write(value)) {
-    const WaitSpan span(log_, what);
     counters_.mailbox_waits.add(1);
-    changed_.wait([&] { return mailbox.try_write(value); });
+    wait_until_ready(what, [&] { return mailbox.try_write(value); });
   }
   changed_.notify();
 }
@@ -30,9 +42,9 @@ std::uint32_t SpuChannels::read_signal(unsigned index) {
   queue_.land_stores();
   std::uint32_t value = 0;
   if (!signals_[index].try_read(value)) {
-    const WaitSpan span(log_, index == 0 ? "read signal 1" : "read signal 2");
     counters_.signal_waits.add(1);
-    changed_.wait([&] { return signals_[index].try_read(value); });
+    wait_until_ready(index == 0 ? "read signal 1" : "read signal 2",
+                     [&] { return signals_[index].try_read(value); });
   }
   return value;
 }

@@ -4,9 +4,9 @@
 #ifndef SPU_EMU_SPE_PROGRAM_LOADER_H
 #define SPU_EMU_SPE_PROGRAM_LOADER_H
 
-#include <libspe2-types.h>
-
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "spe/program.h"
@@ -22,8 +22,9 @@ struct LoadResult {
   std::string reason;
 };
 
-/// Loads the image of `handle`. The program refers to `spe`, which outlives it. Throws std::bad_alloc.
-using ProgramLoader = LoadResult (*)(Spe& spe, const spe_program_handle_t& handle);
+/// Loads an image: these bytes and none beyond them. The program refers to `spe`, which outlives it. Throws
+/// std::bad_alloc.
+using ProgramLoader = LoadResult (*)(Spe& spe, std::span<const std::byte> image);
 
 }  // namespace spu_emu
 

@@ -35,6 +35,10 @@ void check(const EmulationSettings& settings) {
     throw std::invalid_argument("code and stack reserve exceed the local store limit");
   }
   if (!(settings.timebase_hertz > 0)) throw std::invalid_argument("the timebase must be above 0 Hz");
+  if (settings.time_limit < settings.time_limit.zero() ||
+      settings.time_limit > std::chrono::hours(365 * 24)) {
+    throw std::invalid_argument("the time limit must be 0 (none) to a year");
+  }
   if (settings.cycles) check_cycle_parameters(*settings.cycles);
 }
 }  // namespace

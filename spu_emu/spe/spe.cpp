@@ -21,9 +21,10 @@ SignalMode signal_mode(unsigned flags, unsigned flag) {
   return (flags & flag) != 0 ? SignalMode::logical_or : SignalMode::overwrite;
 }
 
-ChannelSetup channel_setup(const EmulationSettings& settings, unsigned flags, SpeTrace& trace,
-                           WaitPoint* point) {
+ChannelSetup channel_setup(const EmulationSettings& settings, unsigned flags, unsigned number,
+                           SpeTrace& trace, WaitPoint* point) {
   ChannelSetup setup;
+  setup.spe = number;
   setup.mode = settings.dma_mode;
   setup.seed = settings.seed;
   setup.signal1 = signal_mode(flags, SPE_CFG_SIGNOTIFY1_OR);
@@ -36,11 +37,12 @@ ChannelSetup channel_setup(const EmulationSettings& settings, unsigned flags, Sp
 
 Spe::Spe(const EmulationSettings& settings, unsigned int flags, WaitPoint* event_point)
     : settings_(settings),
-      trace_(next_number()),
+      number_(next_number()),
+      trace_(number_),
       arena_(settings.local_store_limit == 0 ? kUnlimited : settings.local_store_limit),
       empty_store_(arena_.base(), arena_.local_store_size(), WordOrder::same),
       timebase_(settings.timebase_hertz),
-      channels_(empty_store_, timebase_, channel_setup(settings, flags, trace_, event_point)),
+      channels_(empty_store_, timebase_, channel_setup(settings, flags, number_, trace_, event_point)),
       proxy_(empty_store_, {Issuer::proxy, settings.dma_mode, settings.seed + 2, nullptr, nullptr}) {
   use_store(empty_store_);
 }
@@ -68,11 +70,11 @@ void Spe::unload() {
   program_.reset();
 }
 
-int Spe::load(const spe_program_handle_t& handle, ProgramLoader load_program) {
+int Spe::load(std::span<const std::byte> image, ProgramLoader load_program) {
   unload();
   LoadResult result;
   try {
-    result = load_program(*this, handle);
+    result = load_program(*this, image);
   } catch (const std::bad_alloc&) {
     result = {nullptr, ENOMEM, "no memory for the program"};
   }
@@ -87,16 +89,26 @@ int Spe::load(const spe_program_handle_t& handle, ProgramLoader load_program) {
   return 0;
 }
 
+/// The time in which the program stood still does not count.
+void Spe::set_deadline(WaitPoint::Time begin) {
+  if (settings_.time_limit.count() == 0) return;
+  deadline_ = begin + (settings_.time_limit - time_used_);
+  channels_.set_deadline(deadline_);
+}
+
 template <class Run>
 Stop Spe::traced(Run&& run) {
   const TraceTime begin = std::chrono::steady_clock::now();
+  set_deadline(begin);
   const Stop stop = run();
+  if (settings_.time_limit.count() != 0) time_used_ += std::chrono::steady_clock::now() - begin;
   if (settings_.trace) trace_.run(begin);
   return stop;
 }
 
 Stop Spe::start(const Arguments& arguments) {
   channels_.abandon();
+  time_used_ = {};
   return traced([&] { return program_->start(arguments); });
 }
 

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 
 #include "mfc/spu_channels.h"
@@ -28,7 +29,7 @@ class Spe {
 
   /// Loads an image in the place of the program before, if there was one. 0, or an errno value with the
   /// reason in last_fault(); then nothing is loaded.
-  int load(const spe_program_handle_t& handle, ProgramLoader load_program);
+  int load(std::span<const std::byte> image, ProgramLoader load_program);
   bool loaded() const { return program_ != nullptr; }
   /// Null while nothing is loaded.
   Program* program() { return program_.get(); }
@@ -37,6 +38,10 @@ class Spe {
   Stop start(const Arguments& arguments);
   Stop resume(unsigned int entry);
 
+  /// Counts the SPEs of the process, as the timeline does.
+  unsigned number() const { return number_; }
+  /// When the program that runs has used up its time.
+  WaitPoint::Time deadline() const { return deadline_; }
   const EmulationSettings& settings() const { return settings_; }
   Arena& arena() { return arena_; }
   SpuChannels& channels() { return channels_; }
@@ -59,8 +64,10 @@ class Spe {
   void use_store(LocalStoreView& store);
   template <class Run>
   Stop traced(Run&& run);
+  void set_deadline(WaitPoint::Time begin);
 
   const EmulationSettings settings_;
+  const unsigned number_;
   SpeTrace trace_;
   Arena arena_;
   FlatLocalStore empty_store_;
@@ -70,6 +77,8 @@ class Spe {
   CommandQueue proxy_;
   std::mutex program_mutex_;
   std::unique_ptr<Program> program_;
+  WaitPoint::Time deadline_ = WaitPoint::Time::max();
+  std::chrono::steady_clock::duration time_used_{};
   std::mutex fault_mutex_;
   std::string last_fault_;
 };

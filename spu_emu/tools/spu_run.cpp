@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -24,6 +25,9 @@ namespace {
 /// Exit codes that do not come from the program.
 enum ExitCode { kUsage = 124, kFault = 125, kNoProgram = 126, kNoFile = 127 };
 
+/// A year.
+constexpr double kMostSeconds = 365.0 * 24 * 3600;
+
 constexpr const char* kFooter =
     "Exit codes: the program's own; 124 bad usage; 125 the program broke a rule, halted or stopped with a "
     "code that\n"
@@ -36,7 +40,7 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  spu-run hello.elf\n"
     "  spu-run --stats --dma late --seed 7 kernel.elf input.txt 100\n"
-    "  spu-run --no-files --max-instructions 1000000000 stranger.elf\n"
+    "  spu-run --no-files --timeout 10 stranger.elf\n"
     "  spu-run --trace run.json kernel.elf        (opens in Perfetto)\n"
     "  spu-run --cycles --cycle-parameter sharing_spes=6 kernel.elf\n";
 
@@ -67,6 +71,14 @@ void add_options(CLI::App& app, Options& options) {
       "--no-files", [&options] { options.settings.library_calls = spu_emu::LibraryCallAccess::console; },
       "Refuse to open files of this machine; printf and the standard streams still work");
   app.add_option("--max-instructions", options.settings.instruction_limit, "Stop after so many instructions");
+  app.add_option_function<double>(
+         "--timeout",
+         [&options](double seconds) {
+           options.settings.time_limit = std::chrono::milliseconds(std::llround(std::ceil(seconds * 1000)));
+         },
+         "Stop after so many seconds, waits included")
+      ->check(CLI::Range(0.001, kMostSeconds).description(""))
+      ->type_name("SECONDS");
   app.add_option("--dma", options.settings.dma_mode,
                  "When bytes of a transfer move: eager, late or unchecked")
       ->transform(CLI::CheckedTransformer(modes, CLI::ignore_case).description(""))
@@ -109,12 +121,18 @@ struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
+/// Reads no further than a program can be long: a name may be that of a device without an end.
 std::vector<char> read_program(const std::string& name) {
   constexpr std::size_t kStep = 65536;
+  constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
   const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(name.c_str(), "rb"));
   std::vector<char> bytes;
   std::size_t got = file ? kStep : 0;
   while (got == kStep) {
+    if (bytes.size() >= kMostBytes) {
+      throw Failure(kNoProgram, name + ": an SPU program has at most " + std::to_string(kMostBytes) +
+                                    " bytes, and the file has more");
+    }
     bytes.resize(bytes.size() + kStep);
     got = std::fread(bytes.data() + bytes.size() - kStep, 1, kStep, file.get());
     bytes.resize(bytes.size() - kStep + got);
@@ -134,8 +152,7 @@ Context load(std::vector<char>& file, const std::string& name) {
   if (!elf.program) throw Failure(kNoProgram, name + ": " + elf.error);
   Context context(spe_context_create(SPE_EVENTS_ENABLE, nullptr));
   if (!context) throw Failure(kNoProgram, std::string("no SPE: ") + std::strerror(errno));
-  spe_program_handle_t program{sizeof program, file.data(), nullptr};
-  if (spe_program_load(context.get(), &program) != 0) {
+  if (spu_emu::program_load(context.get(), file.data(), file.size()) != 0) {
     throw Failure(kNoProgram, name + ": " + spu_emu::last_fault(context.get()));
   }
   return context;

@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(result.program.has_value() == result.error.empty());
   if (result.program) {
     check_program(*result.program, file);
-    require(spu_emu::isa::elf_size_in_memory(file.data()) < (std::uint64_t{1} << 34U));
+    require(spu_emu::isa::claimed_elf_size(file) < (std::uint64_t{1} << 34U));
   }
   return 0;
 }

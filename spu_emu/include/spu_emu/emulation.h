@@ -5,6 +5,7 @@
 #include <libspe2.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
@@ -38,6 +39,15 @@ struct EmulationSettings {
   /// Real SPU code: a program that has executed this many instructions since its start is stopped with
   /// SPE_RUNTIME_FATAL and ETIMEDOUT. 0 is no limit.
   std::uint64_t instruction_limit = 0;
+  /// A program that has run for so long since its start, waits for mailboxes and the like included and the
+  /// time in which it stood still not, is stopped with SPE_RUNTIME_FATAL and ETIMEDOUT. 0 is no limit; at
+  /// most a year. In a sanitizer's build the host engine notices it in waits only.
+  std::chrono::milliseconds time_limit{0};
+  /// Host engine: a program that uses a bad address or more than its stack, divides by zero, or aborts is
+  /// stopped with SPE_RUNTIME_FATAL; the process lives. Off, such a program ends the process where it stands,
+  /// as in a sanitizer's build, for whoever wants to see it there. Takes handlers of SIGSEGV, SIGBUS, SIGFPE,
+  /// SIGILL and SIGABRT, which hand on what is no program's to those before them.
+  bool contain_faults = true;
   /// Decrementer ticks per second.
   double timebase_hertz = 79.8e6;
   /// Keep a timeline for write_trace.
@@ -65,6 +75,10 @@ class SettingsScope {
   const EmulationSettings* outer_;
   EmulationSettings settings_;
 };
+
+/// spe_program_load of an image of `size` bytes, beyond which nothing is read whatever its headers say: how a
+/// file that somebody else made is loaded from memory.
+int program_load(spe_context_ptr_t spe, const void* image, std::size_t size);
 
 /// What one SPE has done since its context was created. Commands and bytes count when they move.
 struct SpeStatistics {

@@ -115,14 +115,15 @@ ElfResult read_elf(Bytes file) {
   return {std::move(program), {}};
 }
 
-std::size_t elf_size_in_memory(const std::byte* image) {
-  const Elf32_Ehdr header = elf_header(image);
+std::uint64_t claimed_elf_size(Bytes known) {
+  const Elf32_Ehdr header = elf_header(known.data());
+  const std::uint64_t segment_bytes = std::uint64_t{header.e_phnum} * header.e_phentsize;
   std::uint64_t end = sizeof(Elf32_Ehdr);
   end = std::max(end, header.e_shoff + std::uint64_t{header.e_shnum} * header.e_shentsize);
-  end = std::max(end, header.e_phoff + std::uint64_t{header.e_phnum} * header.e_phentsize);
-  if (header.e_phentsize != sizeof(Elf32_Phdr)) return end;
+  end = std::max(end, header.e_phoff + segment_bytes);
+  if (header.e_phentsize != sizeof(Elf32_Phdr) || !inside(known, header.e_phoff, segment_bytes)) return end;
   for (std::uint32_t i = 0; i < header.e_phnum; ++i) {
-    const auto segment = segment_header(image + header.e_phoff + i * sizeof(Elf32_Phdr));
+    const auto segment = segment_header(known.data() + header.e_phoff + i * sizeof(Elf32_Phdr));
     end = std::max(end, std::uint64_t{segment.p_offset} + segment.p_filesz);
   }
   return end;

@@ -54,9 +54,9 @@ bool is_spu_elf(std::span<const std::byte> file);
 /// takes what is well formed. Any thread.
 ElfResult read_elf(std::span<const std::byte> file);
 
-/// Bytes of the SPU ELF file at `image`: the end of its last table or segment. The caller vouches for its
-/// headers.
-std::size_t elf_size_in_memory(const std::byte* image);
+/// Bytes that an SPU ELF file says it has: the end of its last table or segment. `known` are its first bytes,
+/// its header at least; while its segment headers are not among them, the number is where those end.
+std::uint64_t claimed_elf_size(std::span<const std::byte> known);
 
 /// The symbol with the highest address up to `address` and the distance, as "name+0x10"; empty if there is
 /// none.

@@ -39,6 +39,10 @@ class FaultContract : public PerEngine {
     let_fail(Scarce::threads, 0);
   }
 
+  /// Where Embree and its task library find no memory for themselves they end the program. With sanitizers
+  /// only our own calls fail.
+  static bool ends_without_memory() { return kPace == Pace::plain && GetParam().name == "embree"; }
+
   /// True when a call failed.
   static bool live_with(const Fault& fault) {
     CheckedEngine checked(GetParam(), describe(fault));
@@ -71,10 +75,12 @@ class FaultContract : public PerEngine {
 };
 
 TEST_P(FaultContract, ACallThatRunsOutOfMemoryOnceChangesNothingWhereverItHappens) {
+  if (ends_without_memory()) return;
   live_with_each(Scarce::memory, Lasts::once);
 }
 
 TEST_P(FaultContract, ACallThatRunsOutOfMemoryForGoodChangesNothingWhereverItHappens) {
+  if (ends_without_memory()) return;
   live_with_each(Scarce::memory, Lasts::for_ever);
 }
 
@@ -85,10 +91,13 @@ TEST_P(FaultContract, ACallThatGetsNoThreadsChangesNothingOrDoesWithout) {
 
 TEST_P(FaultContract, ABroadphaseIsMadeOrIsNot) {
   for (const Lasts lasts : {Lasts::once, Lasts::for_ever}) {
-    std::uint64_t n = 1;
-    while (make_with({Scarce::memory, n, lasts}) && !HasFailure()) ++n;
-    EXPECT_GT(n, 1U) << "nothing was allocated";
-    EXPECT_TRUE(GetParam().make().ok());
+    for (const Scarce scarce : {Scarce::memory, Scarce::threads}) {
+      if (scarce == Scarce::memory && ends_without_memory()) continue;
+      std::uint64_t n = 1;
+      while (make_with({scarce, n, lasts}) && !HasFailure()) ++n;
+      EXPECT_TRUE(n > 1 || scarce == Scarce::threads) << "nothing was allocated";
+      EXPECT_TRUE(GetParam().make().ok());
+    }
   }
 }
 

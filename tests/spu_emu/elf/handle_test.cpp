@@ -29,11 +29,15 @@ std::string_view image_of(const spe_program_handle_t& handle) {
   return {reinterpret_cast<const char*>(bytes), headers + header_bytes * header_count};
 }
 
+ImageKind kind_of(const spe_program_handle_t& handle) {
+  return image_kind(image_bytes(handle).bytes);
+}
+
 TEST(ElfHandle, has_a_real_spu_program_beside_that_of_the_host_engine) {
   EXPECT_EQ(list_gather_spu_elf.handle_size, sizeof(spe_program_handle_t));
   EXPECT_EQ(list_gather_spu_elf.toe_shadow, nullptr);
-  EXPECT_EQ(image_kind(list_gather_spu_elf.elf_image), ImageKind::spu_elf);
-  EXPECT_EQ(image_kind(list_gather_spu.elf_image), ImageKind::host_module);
+  EXPECT_EQ(kind_of(list_gather_spu_elf), ImageKind::spu_elf);
+  EXPECT_EQ(kind_of(list_gather_spu), ImageKind::host_module);
 }
 
 TEST(ElfHandle, has_an_image_that_does_not_tell_where_it_was_built) {

@@ -92,7 +92,9 @@ TEST(Image, broken_headers_never_lead_outside_the_file) {
     std::memcpy(bytes.data(), file.data(), file.size());
     for (const unsigned char value : {0x00, 0x7f, 0xff}) {
       bytes[at] = std::byte{value};
-      const auto prepared = prepare_module(bytes);
+      std::string error;
+      const auto prepared = prepare_module(bytes, error);
+      EXPECT_EQ(prepared.has_value(), error.empty());
       EXPECT_EQ(prepared ? prepared->file.size() : file.size(), file.size());
     }
   }

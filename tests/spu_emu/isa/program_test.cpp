@@ -325,6 +325,30 @@ TEST(IsaProgram, an_endless_loop_ends_at_the_instruction_limit) {
   EXPECT_EQ(statistics(context.spe).instructions, 12345U);
 }
 
+TEST(IsaProgram, a_loop_and_a_wait_without_an_end_end_at_the_time_limit) {
+  EmulationSettings settings;
+  settings.time_limit = std::chrono::milliseconds(20);
+  for (const std::uint32_t word : {encode("br", {0}), encode("rdch", {20, 29})}) {
+    IsaContext context(Code{word}, settings);
+    for (int start = 0; start < 2; ++start) {
+      EXPECT_EQ(context.run(), -1);
+      EXPECT_EQ(context.stop.stop_reason, unsigned{SPE_RUNTIME_FATAL});
+      EXPECT_EQ(context.stop.result.spe_runtime_fatal, ETIMEDOUT);
+      context.expect_fault("rule \"time limit\": SPE ");
+    }
+  }
+}
+
+TEST(IsaProgram, a_time_limit_leaves_the_instruction_limit_exact) {
+  EmulationSettings settings;
+  settings.time_limit = std::chrono::hours(1);
+  settings.instruction_limit = 1234567;
+  IsaContext context(Code{encode("br", {0})}, settings);
+  EXPECT_EQ(context.run(), -1);
+  context.expect_fault("instruction limit");
+  EXPECT_EQ(statistics(context.spe).instructions, 1234567U);
+}
+
 TEST(IsaProgram, a_program_that_does_not_fit_the_limit_is_refused_with_numbers) {
   EmulationSettings settings;
   settings.local_store_limit = 64 * 1024;

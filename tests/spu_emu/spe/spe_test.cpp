@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <new>
+#include <span>
 
 namespace spu_emu {
 namespace {
@@ -32,22 +33,22 @@ class FakeProgram final : public Program {
   FlatLocalStore store_{bytes_.data(), kSize, WordOrder::same};
 };
 
-LoadResult load_fake(Spe&, const spe_program_handle_t&) {
+LoadResult load_fake(Spe&, std::span<const std::byte>) {
   return {std::make_unique<FakeProgram>(), 0, {}};
 }
-LoadResult load_nothing(Spe&, const spe_program_handle_t&) {
+LoadResult load_nothing(Spe&, std::span<const std::byte>) {
   return {nullptr, EINVAL, "no fake"};
 }
-LoadResult load_without_memory(Spe&, const spe_program_handle_t&) {
+LoadResult load_without_memory(Spe&, std::span<const std::byte>) {
   throw std::bad_alloc();
 }
 
-constexpr spe_program_handle_t kHandle{};
+constexpr std::span<const std::byte> kImage;
 
 TEST(Spe, runs_what_its_loader_made) {
   Spe spe({}, 0, nullptr);
   EXPECT_FALSE(spe.loaded());
-  ASSERT_EQ(spe.load(kHandle, &load_fake), 0);
+  ASSERT_EQ(spe.load(kImage, &load_fake), 0);
   ASSERT_TRUE(spe.loaded());
   EXPECT_EQ(spe.store_size(), 4096U);
   EXPECT_EQ(spe.store_map(), "fake map\n");
@@ -69,11 +70,11 @@ TEST(Spe, has_its_whole_local_store_while_nothing_is_loaded) {
 
 TEST(Spe, has_nothing_loaded_and_a_reason_after_its_loader_failed) {
   Spe spe({}, 0, nullptr);
-  ASSERT_EQ(spe.load(kHandle, &load_fake), 0);
-  EXPECT_EQ(spe.load(kHandle, &load_nothing), EINVAL);
+  ASSERT_EQ(spe.load(kImage, &load_fake), 0);
+  EXPECT_EQ(spe.load(kImage, &load_nothing), EINVAL);
   EXPECT_FALSE(spe.loaded());
   EXPECT_EQ(spe.last_fault(), "no fake");
-  EXPECT_EQ(spe.load(kHandle, &load_without_memory), ENOMEM);
+  EXPECT_EQ(spe.load(kImage, &load_without_memory), ENOMEM);
   EXPECT_EQ(spe.last_fault(), "no memory for the program");
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -122,6 +123,7 @@ void SpeGroup::run_program(Spe& spe, void* job) const {
   unsigned entry = SPE_DEFAULT_ENTRY;
   spe_stop_info_t stop{};
   const int result = spe_context_run(spe.context, &entry, 0, job, nullptr, &stop);
+  if (result < 0 && errno == ENOMEM) throw std::bad_alloc();
   const bool good = result == 0 && stop.stop_reason == SPE_EXIT && stop.result.spe_exit_code == 0;
   if (!good) spe.fault = result < 0 ? emulation_->fault(spe.context) : words_of_stop(stop);
   if (!good && spe.fault.empty()) spe.fault = words_of_stop(stop);

@@ -33,7 +33,7 @@ TEST(ElfLoader, reads_entry_segments_and_the_end_of_the_image) {
   EXPECT_EQ(result.program->segments[0].bytes.size(), 16U);
   EXPECT_EQ(read_word(result.program->segments[0].bytes.data() + 4), 2U);
   EXPECT_EQ(result.program->segments[1].size, 64U);
-  EXPECT_EQ(elf_size_in_memory(file.data()), file.size());
+  EXPECT_EQ(claimed_elf_size(file), file.size());
 }
 
 TEST(ElfLoader, names_the_nearest_symbol) {
