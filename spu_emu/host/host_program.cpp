@@ -49,21 +49,25 @@ void HostProgram::enter(void* self) {
   program.services_.stop(self, kExit | (static_cast<unsigned>(code) & 0xffU), {});
 }
 
+/// Holds nothing while main runs: a program that exits or faults never comes back here.
 bool HostProgram::run_main(int& code) {
-  std::string what = "of a type that is no std::exception";
   try {
     guard_.in_program.store(true);
     code = module_->run(services_, arguments_.speid, arguments_.argp, arguments_.envp);
     guard_.in_program.store(false);
     return true;
   } catch (const std::exception& error) {
-    what = error.what();
+    note_exception(error.what());
   } catch (...) {
+    note_exception("of a type that is no std::exception");
   }
-  guard_.in_program.store(false);
-  note_fault(Fault(Rule::exception,
-                   format("an exception left main of SPE %u's program: %s", spe_.number(), what.c_str())));
   return false;
+}
+
+void HostProgram::note_exception(const char* what) {
+  guard_.in_program.store(false);
+  note_fault(
+      Fault(Rule::exception, format("an exception left main of SPE %u's program: %s", spe_.number(), what)));
 }
 
 Stop HostProgram::start(const Arguments& arguments) {

@@ -67,6 +67,7 @@ class HostProgram final : public Program {
   [[noreturn]] void stack_too_deep(const void* frame) const;
   /// Runs main to its end; false when an exception left it, which is then noted as a fault.
   bool run_main(int& code);
+  void note_exception(const char* what);
   Fault fault_of(const Interruption& what) const;
   Fault memory_fault(const Interruption& what) const;
   std::string place_of(std::uintptr_t instruction) const;
