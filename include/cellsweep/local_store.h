@@ -35,7 +35,8 @@ struct CELLSWEEP_API LocalStoreMap {
   bool fits() const { return limit == 0 || used() <= limit; }
 };
 
-/// The layout for so many bodies, whether or not it fits. Errors: those of make_broadphase().
+/// The layout for so many bodies, whether or not it fits. Errors: those of make_broadphase(); capacity for
+/// more than 2^32 bodies, which ids do not tell apart.
 CELLSWEEP_API Result<LocalStoreMap> local_store_map(const CellPaperOptions& options, std::uint64_t bodies);
 CELLSWEEP_API Result<LocalStoreMap> local_store_map(const CellBruteOptions& options, std::uint64_t bodies);
 CELLSWEEP_API Result<LocalStoreMap> local_store_map(const CellResidentOptions& options, std::uint64_t bodies);

@@ -51,6 +51,7 @@ void HostProgram::enter(void* self) {
   program.services_.stop(self, kExit | (static_cast<unsigned>(code) & 0xffU), {});
 }
 
+/// Holds nothing while main runs: a program that exits or faults never comes back here.
 bool HostProgram::run_main(int& code) {
   try {
     guard_.in_program.store(true);

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "base/text.h"
 #include "cellsweep/cell.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/ppu/brute.h"
@@ -14,12 +15,20 @@
 namespace cellsweep {
 namespace {
 
+/// Ids tell no more bodies apart; all sums of bytes for so many stay far below 64 bits.
+constexpr std::uint64_t kMostBodies = std::uint64_t{1} << 32U;
+
 template <class Options>
 Result<LocalStoreMap> map_of(const char* engine, const Options& options, unsigned spus,
                              const cell::BufferList& buffers, std::uint64_t bodies) {
   auto emulation = cell::make_emulation(options.spes);
   if (!emulation) return emulation.status();
   if (Status status = cell::check(options); !status.ok()) return status;
+  if (bodies > kMostBodies) {
+    return Status::over_capacity(
+        text("bodies is ", bodies, "; ids tell at most ", kMostBodies, " bodies apart."), bodies,
+        kMostBodies);
+  }
   LocalStoreMap map = cell::make_local_store_map(engine, (*emulation)->local_store(), buffers, bodies);
   map.spus = spus == 0 ? cell::kDefaultSpus : spus;
   return map;

@@ -115,6 +115,27 @@ TEST(LocalStoreMapByName, IsThatOfTheOptionsStruct) {
             local_store_map("cell-resident", {}, 10)->used());
 }
 
+TEST(LocalStoreMapByName, NeverWrapsForAnyNumberOfBodies) {
+  add_cell_engines();
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 32U;
+  for (const char* engine : {"cell-paper", "cell-brute", "cell-resident"}) {
+    std::uint64_t before = 0;
+    for (std::uint64_t bodies = 256; bodies <= kMost; bodies *= 16) {
+      const auto map = local_store_map(engine, {}, bodies);
+      ASSERT_TRUE(map.ok()) << map.status().message;
+      EXPECT_GT(map->used(), before) << engine << " " << bodies;
+      before = map->used();
+    }
+    for (const std::uint64_t bodies :
+         {kMost + 1, std::uint64_t{1} << 61U, std::uint64_t{1} << 63U, UINT64_MAX}) {
+      const Status status = local_store_map(engine, {}, bodies).status();
+      EXPECT_EQ(status.code, StatusCode::capacity) << engine << " " << bodies;
+      EXPECT_EQ(status.number, bodies);
+      EXPECT_EQ(status.limit, kMost);
+    }
+  }
+}
+
 TEST(LocalStoreMapByName, IsRefusedAsTheEngineWouldBe) {
   add_cell_engines();
   EXPECT_EQ(local_store_map("cell-paper", {{"method", "3"}}, 1).status().setting, "method");
