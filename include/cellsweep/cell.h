@@ -97,11 +97,12 @@ CELLSWEEP_API Result<Broadphase> make_broadphase(const CellStreamOptions& option
 /// Adds `cell-paper`, `cell-brute`, `cell-resident` and `cell-stream` to engine_table().
 CELLSWEEP_API void add_cell_engines();
 
-/// insert() and move() with boxes that the SPUs make (F3): each encloses its pose's box, is a few float steps
-/// wider at most, and of a body that is not turned it is c - h to c + h, rounded outwards. They are made at
-/// once; a body may be given boxes and poses in turn. Errors: those of insert() and move(), invalid_box for a
-/// pose that breaks the rules of BodyPose, spe_failed, and bad_option unless the broadphase was made with
-/// CellResidentOptions::spu_boxes.
+/// insert() and move() with boxes that the SPUs make (F3): each encloses its pose's box, is wider to each
+/// side by 2^-23 of the centre's coordinate and 2^-19 of the sum of the half extents at most (a rod a
+/// kilometre long by 1 mm, in any direction), and of a body that is not turned it is c - h to c + h, rounded
+/// outwards. They are made at once; a body may be given boxes and poses in turn. Errors: those of insert()
+/// and move(), invalid_box for a pose that breaks the rules of BodyPose, spe_failed, and bad_option unless
+/// the broadphase was made with CellResidentOptions::spu_boxes.
 CELLSWEEP_API Status insert_poses(Broadphase& broadphase, std::span<const BodyId> ids,
                                   std::span<const BodyPose> poses);
 CELLSWEEP_API Status move_poses(Broadphase& broadphase, std::span<const BodyId> ids,

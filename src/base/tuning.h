@@ -107,6 +107,15 @@ inline constexpr double kManyLarge = 16;
 /// When boxes reach into more cells than so many times what a few of them made expect, a grid is chosen
 /// again, after a look at all: that takes 7 ns a box. EPYC, varied and uniform, 100,000.
 inline constexpr double kManyCopies = 1.5;
+/// Boxes reach into no more cells than this, in the mean, whatever they are: memory is linear in bodies. What
+/// would take more cells has more comparisons instead. EPYC, 200,000 rods in three directions: 2.2 s without
+/// a limit (113 cells a rod).
+inline constexpr double kMostCopies = 32;
+/// Cells within cells, whose boxes have come into as many, may still have so many times as many.
+inline constexpr double kMoreCopies = 1.0625;
+/// So many boxes that a grid does not cut, or leaves in one cell, are looked at once more, all of them: to
+/// compare them takes longer.
+inline constexpr std::size_t kDoubted = 1024;
 /// More cells than this are made in two steps: writing to more places at a time than a cache has lines is
 /// slow. EPYC, uniform 1,000,000.
 inline constexpr double kMaxCells = 4096;
@@ -116,6 +125,12 @@ inline constexpr double kPieceBoxes = 1200;
 inline constexpr std::uint32_t kLargestCell = 160;
 /// Boxes that no cut tells apart are compared all with all from here on.
 inline constexpr unsigned kDeepest = 24;
+/// What takes as long as to make cells anew, in comparisons for each box. EPYC, uniform 10,000 and 100,000.
+/// When changes of cells come to more, or to this many and more copies than wear them out, cells are made
+/// anew.
+inline constexpr std::uint64_t kTestsOfBuild = 512;
+inline constexpr std::uint64_t kFewTests = 1'000'000;
+inline constexpr std::uint64_t kFewCopies = 4096;
 /// More memory than this for each box is given back, in bytes.
 inline constexpr std::size_t kBytesOfBox = 512;
 
@@ -153,9 +168,22 @@ inline constexpr std::size_t kFar = 20'000;
 /// So many candidates and twice the pairs allowed are always looked at.
 inline constexpr std::size_t kFewCandidates = 1000;
 
+/// Fat boxes that overlap in more pairs than so many for each pair of boxes, and so many for each body,
+/// become the boxes themselves again, unless a margin was asked for.
+inline constexpr std::size_t kCandidatesOfPair = 4;
+inline constexpr std::size_t kCandidatesOfBody = 64;
+/// More bytes than this for each thread, body, box in a cell and candidate go back with the next update.
+/// Twice what was seen, EPYC, all scenes.
+inline constexpr std::size_t kFewBytes = std::size_t{512} << 10;
+inline constexpr std::size_t kBytesOfBody = 2048;
+inline constexpr std::size_t kBytesOfCopy = 128;
+inline constexpr std::size_t kBytesOfCandidate = 192;
+
 /// So many changes of a list of pairs may wait whatever its length; more, when they are fewer than a quarter
 /// of it.
 inline constexpr std::size_t kFewNotes = 128;
+/// When one update would bring more than this and half the list, everything is found anew.
+inline constexpr std::size_t kManyNotes = 16'384;
 
 // --- sorting pairs
 // --------------------------------------------------------------------------------------------

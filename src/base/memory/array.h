@@ -2,8 +2,10 @@
 /// Elements of a trivial type whose growth initialises nothing.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "base/memory/memory.h"
 
@@ -22,6 +24,14 @@ class Array {
       capacity_ = wanted;
     }
     size_ = size;
+  }
+  /// Gives memory back where less than half of it is needed, and keeps the elements.
+  void fit() {
+    if (capacity_ <= 2 * size_ + kKept) return;
+    Array fitting;
+    fitting.renew(size_);
+    std::copy_n(data(), size_, fitting.data());
+    *this = std::move(fitting);
   }
   /// Keeps the first `size` elements.
   void shrink(std::size_t size) { size_ = size; }

@@ -223,10 +223,16 @@ void IdTable::choose_ids(std::span<BodyId> ids) const {
   const auto is_taken = [&](BodyId id) {
     return find(id) != kNoSlot || std::binary_search(waiting.begin(), waiting.end(), id);
   };
-  auto beyond = static_cast<BodyId>(ids_.size() + ids.size());
+  const auto start = static_cast<BodyId>(ids_.size() + ids.size());
+  if (start < taken_from_ || start >= taken_to_) taken_from_ = taken_to_ = start;
+  BodyId beyond = taken_to_;
+  bool knows_more = false;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     ids[i] = next_slot(i);
-    while (is_taken(ids[i])) ids[i] = beyond++;
+    if (!is_taken(ids[i])) continue;
+    do ids[i] = beyond++;
+    while (is_taken(ids[i]));
+    if (!std::exchange(knows_more, true)) taken_to_ = ids[i];
   }
 }
 
@@ -267,6 +273,7 @@ void IdTable::release() {
   std::sort(removed_.rbegin(), removed_.rend());
   free_.insert(free_.end(), removed_.begin(), removed_.end());
   removed_.clear();
+  taken_from_ = taken_to_ = 0;
 }
 
 IdTable IdTable::renumbered(Vector<Slot>& before) const {

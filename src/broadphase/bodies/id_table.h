@@ -120,6 +120,9 @@ class IdTable {
   Deferred table_;            // once somebody looks one up
   Vector<Slot> free_;         // the last is given out first
   Vector<Slot> removed_;      // until release()
+  // All ids from the one to before the other are taken: choose_ids() need not look at them again.
+  mutable BodyId taken_from_ = 0;
+  mutable BodyId taken_to_ = 0;
 };
 
 }  // namespace cellsweep

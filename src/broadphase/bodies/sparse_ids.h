@@ -14,9 +14,17 @@
 
 namespace cellsweep {
 
-/// At most half full, linear probing, nothing left behind by an erase().
+/// A number that nobody foretells, another one each time. From any thread.
+std::uint64_t unforeseen_key();
+
+/// At most half full, linear probing, nothing left behind by an erase(). Where an id goes depends on a key of
+/// the table's own: nobody can choose ids that all go to one place. What it says does not depend on it.
 class SparseIds {
  public:
+  SparseIds() = default;
+  /// For tests: with this key, which is not 0.
+  explicit SparseIds(std::uint64_t key) : key_(key) {}
+
   std::size_t size() const { return size_; }
 
   /// The slot of an id, or kNoSlot.
@@ -33,6 +41,7 @@ class SparseIds {
     std::size_t size = 64;
     while (size < 2 * ids) size *= 2;
     Vector<Entry> entries(size);
+    if (key_ == 0) key_ = unforeseen_key();
     entries.swap(entries_);
     for (const Entry& entry : entries) {
       if (entry.slot != kNoSlot) entries_[place_of(entry.id)] = entry;
@@ -69,6 +78,16 @@ class SparseIds {
     --size_;
   }
 
+  /// For tests: how many places an id is from the first one that it could have, at most.
+  std::size_t longest_way() const {
+    std::size_t longest = 0;
+    for (std::size_t place = 0; place < entries_.size(); ++place) {
+      if (entries_[place].slot == kNoSlot) continue;
+      longest = std::max(longest, (place - home_of(entries_[place].id)) & (entries_.size() - 1));
+    }
+    return longest;
+  }
+
   std::size_t bytes() const { return entries_.capacity() * sizeof(Entry); }
 
  private:
@@ -82,13 +101,14 @@ class SparseIds {
   std::size_t insert_all(std::span<const BodyId> ids, Slot first) {
     Entry* const entries = entries_.data();
     const std::size_t mask = entries_.size() - 1;
+    const std::uint64_t key = key_;
     std::size_t done = 0;
     for (; done < ids.size(); ++done) {
       const BodyId id = ids[done];
       if (Far)
-        __builtin_prefetch(&entries[mix64(ids[std::min(done + tuning::kIdsAhead, ids.size() - 1)]) & mask],
-                           1);
-      std::size_t place = mix64(id) & mask;
+        __builtin_prefetch(
+            &entries[hash_of(ids[std::min(done + tuning::kIdsAhead, ids.size() - 1)], key) & mask], 1);
+      std::size_t place = hash_of(id, key) & mask;
       while (entries[place].slot != kNoSlot && entries[place].id != id) place = (place + 1) & mask;
       if (entries[place].slot != kNoSlot) break;
       entries[place] = {id, first + static_cast<Slot>(done)};
@@ -97,7 +117,8 @@ class SparseIds {
     return done;
   }
 
-  std::size_t home_of(BodyId id) const { return mix64(id) & (entries_.size() - 1); }
+  static std::uint64_t hash_of(BodyId id, std::uint64_t key) { return mix64(id ^ key); }
+  std::size_t home_of(BodyId id) const { return hash_of(id, key_) & (entries_.size() - 1); }
   std::size_t after(std::size_t place) const { return (place + 1) & (entries_.size() - 1); }
 
   // Where the id is, or the first free place that it could have.
@@ -109,6 +130,7 @@ class SparseIds {
 
   Vector<Entry> entries_;  // a power of two, or none
   std::size_t size_ = 0;
+  std::uint64_t key_ = 0;  // once there are entries
 };
 
 }  // namespace cellsweep

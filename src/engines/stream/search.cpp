@@ -1,5 +1,7 @@
 #include "engines/stream/search.h"
 
+#include <algorithm>
+
 #include "base/tuning.h"
 
 namespace cellsweep::stream {
@@ -12,7 +14,9 @@ Search::Search(Crew& crew, const Kernels& kernels, PieceFinder* finder, std::siz
       cells_(std::make_unique<CellTree>(crew, kernels, finder)) {}
 
 std::size_t Search::generous_limit() const {
-  return max_pairs_ < kAnyNumber / 4 ? 2 * max_pairs_ + tuning::kFewCandidates : kAnyNumber;
+  const std::size_t of_pairs =
+      max_pairs_ < kAnyNumber / 4 ? 2 * max_pairs_ + tuning::kFewCandidates : kAnyNumber;
+  return std::min(of_pairs, most_candidates_);
 }
 
 // Fat boxes that overlap are no reason to refuse, but when there are very many, boxes are put in their place.
@@ -25,7 +29,6 @@ void Search::find_all(FatBoxes& fat_boxes, std::span<const Aabb> boxes, bool wit
     }
   }
   find_among(boxes, max_pairs_, with_cells);
-  cells_->limit_pairs(generous_limit());
 }
 
 void Search::find_among(std::span<const Aabb> boxes, std::size_t most, bool with_cells) {
@@ -36,7 +39,6 @@ void Search::find_among(std::span<const Aabb> boxes, std::size_t most, bool with
   } else {
     cells_->clear();
   }
-  built_copies_ = cells_->copies();
 }
 
 // False when the world is not a small one, or cells take less.
@@ -51,8 +53,11 @@ bool Search::sweep(std::span<const Aabb> boxes, std::size_t most) {
 
 bool Search::change(std::span<const FatBoxChange> changes) {
   try {
+    cells_->limit_pairs(generous_limit());
     cells_->change(changes);
   } catch (const TooManyPairs&) {
+    return false;
+  } catch (const TooMuchWork&) {
     return false;
   }
   return true;
@@ -69,7 +74,6 @@ void Search::begin_prepared(const Boxes& boxes) {
 void Search::use_prepared() {
   cells_.swap(prepared_);
   has_cells_ = true;
-  built_copies_ = cells_->copies();
 }
 
 void Search::drop_prepared() {
@@ -81,6 +85,15 @@ void Search::clear() {
   has_cells_ = false;
   sweep_ = {};
   swept_ = {};
+}
+
+void Search::give_back() {
+  cells_->give_back();
+  drop_prepared();
+  if (prepared_) prepared_->give_back();
+  sweep_ = {};
+  swept_.give_back();
+  swept_view_ = {};
 }
 
 }  // namespace cellsweep::stream

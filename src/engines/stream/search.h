@@ -31,6 +31,9 @@ class Search {
     swept_.allow(filters);
   }
 
+  /// From now on fat boxes have far too many pairs when they have more than this.
+  void limit_candidates(std::size_t most) { most_candidates_ = most; }
+
   /// Finds all pairs of fat boxes anew: found(). Makes cells for it when they are wanted, or when a sweep
   /// would take more. Where fat boxes have far too many pairs, they become the boxes themselves again.
   /// Throws TooManyPairs when boxes have more than allowed.
@@ -41,12 +44,12 @@ class Search {
   CellTree& cells() { return *cells_; }
   const CellTree& cells() const { return *cells_; }
 
-  /// Changes the cells. False when so many candidates began that everything is to be found anew: that is no
-  /// reason to refuse, for all of them may have become too large.
+  /// Changes the cells. False when everything is to be found anew: that would take less, or so many
+  /// candidates began as is no reason to refuse, for all of them may have become too large.
   bool change(std::span<const FatBoxChange> changes);
 
-  /// Cells wear out: boxes that enter leave gaps in memory behind and crowd cells.
-  bool is_worn_out() const { return cells_->copies() > 2 * built_copies_ + 1024; }
+  /// The cells have seen so many changes that they should be made anew.
+  bool is_worn_out() const { return cells_->is_worn_out(); }
 
   /// Cells for later: after begin_prepared(), prepared() goes on as CellTree::begin_build() says, and
   /// use_prepared() puts them in the place of those that there are. Throws TooManyPairs.
@@ -58,6 +61,8 @@ class Search {
 
   /// Nobody is left.
   void clear();
+  /// The cells stay; memory for work, what was found and prepared goes back.
+  void give_back();
 
   /// Valid until the next call.
   KeyParts found() const { return has_cells_ ? cells_->found() : KeyParts{&swept_view_, 1}; }
@@ -77,10 +82,10 @@ class Search {
   const Kernels& kernels_;
   PieceFinder* finder_;
   std::size_t max_pairs_;
+  std::size_t most_candidates_ = kAnyNumber;
   std::unique_ptr<CellTree> cells_;
   std::unique_ptr<CellTree> prepared_;  // once cells are prepared
   bool has_cells_ = false;
-  std::uint64_t built_copies_ = 0;
   Sweep sweep_;
   Keys swept_;
   std::span<const std::uint64_t> swept_view_;

@@ -38,6 +38,8 @@ Capacity Stream::capacity() const {
 Stream::Kind Stream::take(const BodyChanges& changes) {
   bodies_ = changes.bodies;
   search_.allow(changes.filters);
+  if (parts_.margin == 0)
+    search_.limit_candidates(tuning::kCandidatesOfPair * pairs_ + tuning::kCandidatesOfBody * bodies_);
   uses_prepared_ = rebuild_.begin_update(changes);
   crew_.plan(changes.moved.size(), tuning::kMoveGuess);
   switch (fat_boxes_.take(crew_, changes, most_listed_)) {
@@ -52,6 +54,7 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
 
 Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statistics) {
   if (parts_.finder) parts_.finder->begin_update();
+  give_back_spare();
   if (changes.none()) {
     note_idle(statistics);
     return FoundPairs{};
@@ -70,9 +73,14 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
       timer.lap("next cells");
     }
   } catch (const TooManyPairs&) {
+    forget_all();
     return too_many_pairs(parts_.max_pairs);
   } catch (PieceFailure& failure) {
+    forget_all();
     return std::move(failure.status);
+  } catch (...) {
+    forget_all();
+    throw;
   }
   most_listed_ = search_.is_worn_out() || parts_.finder ? 0 : costs_.most_listed(bodies_);
   was_full_ = kind == kFull;
@@ -85,10 +93,14 @@ FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& time
   if (bodies_ == 0) return find_none(changes);
   if (fat_boxes_.have_slack()) overlaps_.loosen();
   if (uses_prepared_ && kind != kFull) return find_prepared(changes, kind, timer);
-  if (kind != kFull && search_.has_cells() && overlaps_.are_few(changes)) return find_of_few(changes, timer);
-  if (kind == kInPlace) return find_in_place(changes, timer);
   FoundPairs found;
-  if (kind == kPartial && search_.has_cells() && find_changed(changes, timer, found)) return found;
+  bool goes_on = kind != kFull;
+  if (goes_on && search_.has_cells() && overlaps_.are_few(changes)) {
+    if (find_of_few(changes, timer, found)) return found;
+    goes_on = false;
+  }
+  if (goes_on && kind == kInPlace) return find_in_place(changes, timer);
+  if (goes_on && search_.has_cells() && find_changed(changes, timer, found)) return found;
   // A small world is swept when all is new, and while it is so in every update. Else cells will be asked for
   // the bodies that leave their fat boxes.
   const bool with_cells = kind == kPartial || (fat_boxes_.have_slack() && !was_full_);
@@ -99,19 +111,46 @@ FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& time
 // With nobody left, everything ends, and the memory goes back.
 FoundPairs Stream::find_none(const BodyChanges& changes) {
   const FoundPairs found = overlaps_.end_all(changes);
-  rebuild_.drop();
-  fat_boxes_ = FatBoxes(parts_.margin);
-  search_.clear();
+  forget_all();
   return found;
 }
 
-FoundPairs Stream::find_of_few(const BodyChanges& changes, PhaseTimer& timer) {
-  overlaps_.change_cells_of_few(search_.cells(), changes, fat_boxes_.changes());
+// Nor may memory wait for the next update where this one failed: that may be long.
+void Stream::forget_all() {
+  rebuild_.drop();
+  fat_boxes_ = FatBoxes(parts_.margin);
+  search_.clear();
+  search_.give_back();
+  overlaps_.clear();
+}
+
+// When pairs have gone. What the last update found lies in this memory, which is why it did not do so.
+void Stream::give_back_spare() {
+  if (bytes_ <= most_bytes()) return;
+  rebuild_.drop();
+  overlaps_.give_back();
+  search_.give_back();
+  bytes_ = bytes_held();
+}
+
+std::size_t Stream::most_bytes() const {
+  return tuning::kFewBytes * (2 + crew_.workers()) + tuning::kBytesOfBody * bodies_ +
+         tuning::kBytesOfCopy * search_.cells().copies() + tuning::kBytesOfCandidate * overlaps_.candidates();
+}
+
+// False when everything is to be found anew instead.
+bool Stream::find_of_few(const BodyChanges& changes, PhaseTimer& timer, FoundPairs& found) {
+  try {
+    overlaps_.change_cells_of_few(search_.cells(), changes, fat_boxes_.changes());
+    timer.lap("cells");
+    found = overlaps_.find_of_few(search_.cells(), changes);
+  } catch (const TooMuchWork&) {
+    overlaps_.forget_few(changes);
+    return false;
+  }
   changed_ += fat_boxes_.changes().size();
-  timer.lap("cells");
-  const FoundPairs found = overlaps_.find_of_few(search_.cells(), changes);
   timer.lap("tests");
-  return found;
+  return true;
 }
 
 FoundPairs Stream::find_in_place(const BodyChanges& changes, PhaseTimer& timer) {
@@ -211,7 +250,7 @@ void Stream::note_idle(Statistics& statistics) {
 }
 
 void Stream::refresh_counters(Statistics& statistics) {
-  bytes_ = fat_boxes_.bytes() + search_.bytes() + overlaps_.bytes();
+  bytes_ = bytes_held();
   statistics.bytes += bytes_;
   statistics.work = {changed_, search_.tests() + overlaps_.tests()};
   statistics.counters.assign({{"full updates", updates_[kFull]},

@@ -49,12 +49,16 @@ class Stream final : public Engine, public HasFinder {
   FoundPairs find_prepared(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
   FoundPairs find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
   FoundPairs find_none(const BodyChanges& changes);
-  FoundPairs find_of_few(const BodyChanges& changes, PhaseTimer& timer);
+  bool find_of_few(const BodyChanges& changes, PhaseTimer& timer, FoundPairs& found);
   FoundPairs find_in_place(const BodyChanges& changes, PhaseTimer& timer);
   bool find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPairs& found);
   FoundPairs find_all(const BodyChanges& changes, bool with_cells, PhaseTimer& timer);
   FoundPairs find_anew(const BodyChanges& changes, bool with_cells, PhaseTimer& timer);
   FoundPairs counted(const FoundPairs& found);
+  void give_back_spare();
+  void forget_all();
+  std::size_t bytes_held() const { return fat_boxes_.bytes() + search_.bytes() + overlaps_.bytes(); }
+  std::size_t most_bytes() const;
   void note_idle(Statistics& statistics);
   void refresh_counters(Statistics& statistics);
 

@@ -360,6 +360,21 @@ TEST(ChosenIds, AreNotThoseOfBodiesWhosePairsHaveNotEnded) {
   EXPECT_THAT(choose(table, 2), UnorderedElementsAre(1U, 3U));
 }
 
+TEST(ChosenIds, AreTheNextOnesBehindIdsThatAreTakenUntilSomeOfThoseAreGone) {
+  Ids taken;
+  for (BodyId id = 100; id < 200; ++id) taken.push_back(id);
+  IdTable table = table_of(taken);
+  for (BodyId next = 200; next < 210; ++next) {
+    EXPECT_THAT(choose(table, 1), ElementsAre(next)) << "chosen, and not used";
+    EXPECT_THAT(choose(table, 1), ElementsAre(next));
+    insert(table, {next});
+  }
+  remove(table, {150});
+  EXPECT_THAT(choose(table, 2), ElementsAre(210U, 211U));
+  table.release();
+  EXPECT_THAT(choose(table, 2), UnorderedElementsAre(50U, 150U)) << "150 is looked at again";
+}
+
 TEST(ChosenIds, AreNobodysAndDifferThroughRandomCalls) {
   contract::Random random(2);
   IdTable table;

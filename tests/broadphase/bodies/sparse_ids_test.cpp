@@ -57,11 +57,14 @@ TEST(SparseIds, MayBeTheSmallestAndTheLargest) {
   EXPECT_EQ(ids.find(0xffffffff), 0U);
 }
 
-/// Ids that a table of the smallest size would all put into one place.
-std::vector<BodyId> ids_of_home(std::size_t home, std::size_t count) {
+constexpr std::uint64_t kKey = 0x1234567;
+
+/// Ids that a table of this size and key would all put into one place.
+std::vector<BodyId> ids_of_home(std::size_t home, std::size_t count, std::uint64_t key = kKey,
+                                std::size_t entries = 64) {
   std::vector<BodyId> ids;
   for (BodyId id = 0; ids.size() < count; ++id) {
-    if (mix64(id) % 64 == home) ids.push_back(id);
+    if (mix64(id ^ key) % entries == home) ids.push_back(id);
   }
   return ids;
 }
@@ -73,7 +76,7 @@ TEST(SparseIds, ThatWantTheSamePlaceAreFoundAfterAnyOfThemHasGone) {
     const std::vector<BodyId> neighbours = ids_of_home((home + 2) % 64, 4);
     all.insert(all.begin() + 3, neighbours.begin(), neighbours.end());
     for (std::size_t first_gone = 0; first_gone < all.size(); ++first_gone) {
-      SparseIds ids;
+      SparseIds ids(kKey);
       ids.reserve(all.size());
       for (Slot i = 0; i < all.size(); ++i) ASSERT_TRUE(ids.insert(all[i], i));
       for (std::size_t gone = 0; gone < all.size(); ++gone) {
@@ -85,6 +88,41 @@ TEST(SparseIds, ThatWantTheSamePlaceAreFoundAfterAnyOfThemHasGone) {
       }
       EXPECT_EQ(ids.size(), 0U);
     }
+  }
+}
+
+/// How far from its place the farthest of these is.
+std::size_t longest_way(SparseIds ids, const std::vector<BodyId>& chosen) {
+  ids.reserve(chosen.size());
+  EXPECT_EQ(ids.insert_run(chosen, 0), chosen.size());
+  return ids.longest_way();
+}
+
+// Half of the table is free: the way is a few logarithms long.
+TEST(SparseIds, CannotBeChosenSoThatAllWantOnePlace) {
+  const std::vector<BodyId> chosen = ids_of_home(7, 2000, kKey, 4096);
+  EXPECT_EQ(longest_way(SparseIds(kKey), chosen), 1999U) << "by somebody who knows the key";
+  for (int table = 0; table < 20; ++table) EXPECT_LE(longest_way(SparseIds(), chosen), 200U);
+}
+
+TEST(SparseIds, HaveAKeyOfTheirOwnInEachTable) {
+  const std::uint64_t key = unforeseen_key();
+  EXPECT_NE(key, 0U);
+  EXPECT_NE(key, unforeseen_key());
+}
+
+TEST(SparseIds, ThatWereChosenAreFoundAndTakenOutAsQuickly) {
+  std::vector<BodyId> chosen = ids_of_home(7, 2000, 0, 4096);
+  SparseIds ids;
+  for (Slot i = 0; i < chosen.size(); ++i) {
+    ids.reserve(i + 1);
+    ASSERT_TRUE(ids.insert(chosen[i], i));
+    ASSERT_LE(ids.longest_way(), 200U);
+  }
+  for (Slot i = 0; i < chosen.size(); ++i) {
+    ASSERT_EQ(ids.find(chosen[i]), i);
+    if (i % 3 == 0) ids.erase(chosen[i]);
+    ASSERT_LE(ids.longest_way(), 200U);
   }
 }
 

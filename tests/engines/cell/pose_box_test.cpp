@@ -3,6 +3,7 @@
 #define SPU_EMU_NO_VECTOR_KEYWORD
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cfloat>
 #include <cmath>
@@ -161,6 +162,67 @@ TEST(ResidentPoseBox, TheBoxEnclosesTheTurnedOneAndIsLittleWider) {
       ASSERT_LE(centre - reach - box.low, slack) << "round " << round;
     }
   }
+}
+
+/// How much wider than it must be the box is on an axis, in parts of what it may be: the bound that
+/// cellsweep/cell.h states.
+double width_of_bound(const PoseBlock& block, unsigned axis) {
+  const Interval box = enclosed(block, axis, 0);
+  const long double centre = block.centre[axis][0];
+  const long double reach = true_reach(block, axis, 0);
+  const long double extent = block.half_extents[0][0] + block.half_extents[1][0] + block.half_extents[2][0];
+  const long double wider = std::max(box.high - (centre + reach), centre - reach - box.low);
+  return static_cast<double>(wider / (0x1p-23L * std::fabs(centre) + 0x1p-19L * extent + 0x1p-90L));
+}
+
+/// A pose a little different, or of which two numbers are alike: there differences of products vanish.
+PoseBlock varied(PoseBlock block, Random& random) {
+  float& number = random.one_in(2)
+                      ? block.orientation[random.whole(0, 3)][0]
+                      : (random.one_in(4) ? block.centre : block.half_extents)[random.whole(0, 2)][0];
+  switch (random.whole(0, 3)) {
+    case 0:
+      number *= 1 + random.between(-1e-6F, 1e-6F);
+      break;
+    case 1:
+      number = std::nextafterf(number, INFINITY);
+      break;
+    case 2:
+      block.orientation[random.whole(0, 3)][0] = block.orientation[random.whole(0, 3)][0];
+      break;
+    default:
+      number *= random.between(0.25F, 4);
+  }
+  return block;
+}
+
+bool may_be_given(const PoseBlock& block) {
+  float square = 0;
+  for (const auto& x : block.orientation) square += x[0] * x[0];
+  return square >= 0x1p-18F && square <= 0x1p18F;
+}
+
+// A box that is long on one axis is wider by a part of that length on all: it turns by as much as a float
+// step.
+TEST(ResidentPoseBox, NoSearchFindsOneThatIsWiderThanIsStated) {
+  double widest = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    PoseBlock worst = random_poses(random, 12);
+    const unsigned axis = static_cast<unsigned>(seed) % 3;
+    double most = 0;
+    for (int step = 0; step < 300; ++step) {
+      const PoseBlock next = varied(worst, random);
+      if (!may_be_given(next)) continue;
+      const double width = width_of_bound(next, axis);
+      if (width < most) continue;
+      worst = next;
+      most = width;
+    }
+    widest = std::max(widest, most);
+    ASSERT_LE(most, 1) << "seed " << seed;
+  }
+  EXPECT_GT(widest, 0.25) << "the bound that is stated is not far from the true one";
 }
 
 TEST(ResidentPoseBox, ABoxThatIsNotTurnedIsCentrePlusAndMinusItsHalfExtents) {

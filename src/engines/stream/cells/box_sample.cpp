@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <span>
 
+#include "base/memory/memory.h"
 #include "base/tuning.h"
 #include "cellsweep/pair.h"
 #include "geometry/box_lanes.h"
@@ -33,18 +34,38 @@ void draw(const Boxes& boxes, Drawn& drawn) {
 
 /// Twice the range of the middle half, not beyond the range of all. What lies outside falls into the cells at
 /// the border, which are cut again when they are crowded.
+AxisRange range_of(double low, double quarter, double last_quarter, double high) {
+  const double middle_half = last_quarter - quarter;
+  if (!(middle_half > 0)) return {low, high - low};
+  const double origin = std::max(low, quarter - middle_half / 2);
+  return {origin, std::min(high, quarter + 1.5 * middle_half) - origin};
+}
+
 AxisRange measure_axis(std::span<const Aabb> boxes, std::size_t axis) {
   std::array<float, kSample> minima;
   const std::size_t count = boxes.size();
   for (std::size_t i = 0; i < count; ++i) minima[i] = boxes[i].min[axis];
   std::sort(minima.begin(), minima.begin() + static_cast<std::ptrdiff_t>(count));
-  const double low = minima[0];
-  const double high = minima[count - 1];
-  const double quarter = minima[count / 4];
-  const double middle_half = minima[count - 1 - count / 4] - quarter;
-  if (!(middle_half > 0)) return {low, high - low};
-  const double origin = std::max(low, quarter - middle_half / 2);
-  return {origin, std::min(high, quarter + 1.5 * middle_half) - origin};
+  return range_of(minima[0], minima[count / 4], minima[count - 1 - count / 4], minima[count - 1]);
+}
+
+/// The same of all boxes, of which there are some. `minima` is working memory.
+AxisRange measure_axis(const Boxes& boxes, std::size_t axis, Vector<float>& minima) {
+  minima.clear();
+  for (std::size_t i = 0; i < boxes.count(); ++i) {
+    const Aabb& box = boxes[i];
+    if (box.min[0] <= box.max[0]) minima.push_back(box.min[axis]);
+  }
+  const auto [low, high] = std::minmax_element(minima.begin(), minima.end());
+  const std::array<float, 2> ends = {*low, *high};
+  const auto value_at = [&](std::size_t place) {
+    const auto nth = minima.begin() + static_cast<std::ptrdiff_t>(place);
+    std::nth_element(minima.begin(), nth, minima.end());
+    return *nth;
+  };
+  const std::size_t quarter = minima.size() / 4;
+  const double first = value_at(quarter);
+  return range_of(ends[0], first, value_at(minima.size() - 1 - quarter), ends[1]);
 }
 
 /// What of a box lies in the ranges of the axes: the rest falls into cells at the border, whatever its size.
@@ -73,12 +94,14 @@ class Ranges {
   Float4 high_{};
 };
 
-/// The edges beyond which a box is large. A few boxes tell the middle edge well enough.
+/// The edges beyond which a box is large. A few boxes tell the middle edge well enough, if they do not stand
+/// at equal distances, as large ones do sometimes.
 Float4 large_edges(std::span<const Aabb> boxes, const Ranges& ranges) {
+  constexpr std::size_t kFarApart = 37;
   std::array<std::array<float, tuning::kEdgeSample>, 3> edges;
   const std::size_t count = std::min(boxes.size(), tuning::kEdgeSample);
   for (std::size_t i = 0; i < count; ++i) {
-    const Float4 of_box = ranges.edges(boxes[i * boxes.size() / count]);
+    const Float4 of_box = ranges.edges(boxes[i * kFarApart % boxes.size()]);
     for (std::size_t axis = 0; axis < 3; ++axis) edges[axis][i] = of_box[axis];
   }
   Float4 limits{};
@@ -158,8 +181,8 @@ LargeBoxes sum_large_of_some(const Boxes& boxes, const Ranges& ranges, Float4 li
 }
 
 // Some tell as much as all when there are many large ones among them.
-LargeBoxes find_large(const Boxes& boxes, const Ranges& ranges, Float4 limits, Look look) {
-  if (look == Look::at_few && boxes.count() >= 4 * tuning::kLargeSample) {
+LargeBoxes find_large(const Boxes& boxes, const Ranges& ranges, Float4 limits) {
+  if (boxes.count() >= 4 * tuning::kLargeSample) {
     const LargeBoxes large = sum_large_of_some(boxes, ranges, limits);
     if (large.sums.count >= tuning::kManyLarge) return large;
   }
@@ -193,7 +216,34 @@ double Extents::copies(const std::array<double, 3>& density) const {
   return 1 + x * i + y * j + z * k + xy * i * j + yz * j * k + zx * k * i + xyz * i * j * k;
 }
 
+namespace {
+
+std::size_t count_bodies(const Boxes& boxes) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < boxes.count(); ++i) count += boxes[i].min[0] <= boxes[i].max[0] ? 1 : 0;
+  return count;
+}
+
+BoxSample look_at_all(const Boxes& boxes) {
+  BoxSample sample;
+  const std::size_t count = count_bodies(boxes);
+  if (count == 0) return sample;
+  Vector<float> minima;
+  minima.reserve(count);
+  for (std::size_t axis = 0; axis < 3; ++axis) sample.axes[axis] = measure_axis(boxes, axis, minima);
+  const Ranges ranges(sample.axes);
+  Sums sums;
+  for (std::size_t i = 0; i < boxes.count(); ++i) {
+    if (boxes[i].min[0] <= boxes[i].max[0]) sums.add(ranges.edges(boxes[i]));
+  }
+  sample.extents.add(sums.extents, 1 / sums.count);
+  return sample;
+}
+
+}  // namespace
+
 BoxSample take_sample(const Boxes& boxes, Look look) {
+  if (look != Look::at_few) return look_at_all(boxes);
   Drawn drawn;
   draw(boxes, drawn);
   BoxSample sample;
@@ -202,11 +252,11 @@ BoxSample take_sample(const Boxes& boxes, Look look) {
   const Ranges ranges(sample.axes);
   const Float4 limits = large_edges(drawn.view(), ranges);
   const Sums usual = sum_usual(drawn.view(), ranges, limits);
-  if (look == Look::at_few && usual.count == static_cast<double>(drawn.count)) {
+  if (usual.count == static_cast<double>(drawn.count)) {
     sample.extents.add(usual.extents, 1 / usual.count);
     return sample;
   }
-  const LargeBoxes large = find_large(boxes, ranges, limits, look);
+  const LargeBoxes large = find_large(boxes, ranges, limits);
   const auto count = static_cast<double>(large.of);
   if (usual.count > 0) sample.extents.add(usual.extents, (1 - large.sums.count / count) / usual.count);
   sample.extents.add(large.sums.extents, 1 / count);

@@ -26,7 +26,7 @@ struct Extents {
   double copies(const std::array<double, 3>& density) const;
 };
 
-/// Ranges come from a few of the boxes, and so do the means.
+/// Ranges come from a few of the boxes, and so do the means, or both from all.
 struct BoxSample {
   std::array<AxisRange, 3> axes;
   Extents extents;

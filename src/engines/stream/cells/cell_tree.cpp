@@ -1,5 +1,6 @@
 #include "engines/stream/cells/cell_tree.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/tuning.h"
@@ -34,13 +35,26 @@ void CellTree::clear() {
 }
 
 void CellTree::reset(std::size_t boxes) {
+  built_boxes_ = boxes;
+  built_copies_ = 0;
   for (const auto& scratch : scratches_) {
     scratch->cells.reset(tuning::kBytesOfBox * boxes);
     scratch->job.reset(tuning::kBytesOfBox * boxes);
     for (Keys* keys : {&scratch->found, &scratch->touched}) keys->clear();
     scratch->collected.clear();
     scratch->copies = 0;
+    scratch->most_copies = scratch->most_tests = ~std::uint64_t{0};
   }
+}
+
+void CellTree::give_back() {
+  for (const auto& scratch : scratches_) {
+    scratch->job.reset(0);
+    for (Keys* keys : {&scratch->found, &scratch->touched}) keys->give_back();
+    scratch->collected = {};
+  }
+  std::fill(found_.begin(), found_.end(), std::span<const std::uint64_t>());
+  std::fill(touched_.begin(), touched_.end(), std::span<const std::uint64_t>());
 }
 
 TreeBuilder CellTree::builder() {
@@ -84,9 +98,19 @@ void CellTree::list_found() {
     scratch.found.leave_out();
     found_[worker] = scratch.found.view();
   }
+  built_copies_ = copies();
+}
+
+// As many copies again as make a tree worn out, and as many comparisons as take about as long as a build.
+void CellTree::begin_changes() {
+  for (const auto& scratch : scratches_) {
+    scratch->most_copies = scratch->copies + 2 * built_copies_ + tuning::kFewCopies;
+    scratch->most_tests = scratch->tests + tuning::kTestsOfBuild * built_boxes_ + tuning::kFewTests;
+  }
 }
 
 void CellTree::change(std::span<const FatBoxChange> changes) {
+  begin_changes();
   for (const auto& scratch : scratches_) {
     scratch->job.release({});
     scratch->touched.clear();
@@ -107,6 +131,7 @@ void CellTree::find_partners(const Aabb& box, Keys& slots) {
   TreeQuery query(kernels_, slots.buffer());
   query.find(box, root_);
   scratches_[0]->tests += query.tests();
+  if (scratches_[0]->tests > scratches_[0]->most_tests) throw TooMuchWork();
 }
 
 std::uint64_t CellTree::copies() const {

@@ -3,6 +3,7 @@
 /// into them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "base/memory/arena.h"
 #include "base/memory/memory.h"
 #include "base/pair_sort.h"
+#include "base/tuning.h"
 #include "cellsweep/aabb.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/grid.h"
@@ -44,22 +46,41 @@ struct BoxCopy {
   std::uint32_t cell_and_flags;
 };
 
+/// A grid among the grids that it is in: how many these are, and into how many of its cells its boxes may
+/// still reach, in the mean.
+struct Level {
+  unsigned depth = 0;
+  double most_copies = tuning::kMostCopies;
+
+  /// That of the cells of a grid in which so many boxes have so many copies.
+  Level inside(std::size_t copies, std::size_t boxes) const {
+    const double each = static_cast<double>(copies) / static_cast<double>(std::max(boxes, std::size_t{1}));
+    return {depth + 1, std::max(most_copies / std::max(each, 1.0), tuning::kMoreCopies)};
+  }
+};
+
 /// Which boxes go into which cells of the topmost grid, while a tree is built.
 struct Placement {
   std::vector<std::span<const BoxCopy>> copies;  ///< as several workers listed them
   std::vector<std::uint32_t*> places;            ///< where each list's next box goes, by cell
   const CellBoxes* cells = nullptr;              ///< where the boxes of a cell go
+  Level inside;                                  ///< that of these cells
 };
+
+/// Thrown where changes, or questions, would take more than to make the tree anew.
+struct TooMuchWork {};
 
 /// What one worker writes.
 struct alignas(64) Scratch {
-  Arena cells;                  // of the tree, kept until the next build
-  Arena job;                    // of the job at hand
-  Vector<CellBoxes> collected;  // for a PieceFinder
-  Keys found;                   // by the last build
-  Keys touched;                 // by the last change
-  std::uint64_t copies = 0;     // boxes that this worker put into cells
-  std::uint64_t tests = 0;      // comparisons of two boxes, since it was made
+  Arena cells;                                    // of the tree, kept until the next build
+  Arena job;                                      // of the job at hand
+  Vector<CellBoxes> collected;                    // for a PieceFinder
+  Keys found;                                     // by the last build
+  Keys touched;                                   // by the last change
+  std::uint64_t copies = 0;                       // boxes that this worker put into cells
+  std::uint64_t tests = 0;                        // comparisons of two boxes, since it was made
+  std::uint64_t most_copies = ~std::uint64_t{0};  // in this update; more are TooMuchWork
+  std::uint64_t most_tests = ~std::uint64_t{0};
 };
 
 /// Bodies' boxes in space, and the pairs among them, as keys of slots.
@@ -73,6 +94,9 @@ class CellTree {
 
   /// No cells and no pairs; of the memory, what little the next build begins with is kept.
   void clear();
+
+  /// The cells stay; memory for work and what was found goes back.
+  void give_back();
 
   /// From now on pairs must be allowed by these filters, by slot, which stay where they are until the next
   /// call of allow(); none: all are. find_partners() does not ask for them.
@@ -95,6 +119,11 @@ class CellTree {
   std::uint64_t go_on(std::uint64_t boxes);
   bool is_built() const { return cells_built_ == root_.grid.cells(); }
 
+  /// Changes and questions of an update follow. When they turn out to take more memory or comparisons than
+  /// to make the tree anew, they throw TooMuchWork; after a change that did, only clear() or build() may
+  /// follow.
+  void begin_changes();
+
   /// Moves, adds and takes out bodies, each once, and finds all pairs that these now have: touched().
   void change(std::span<const FatBoxChange> changes);
 
@@ -112,6 +141,8 @@ class CellTree {
   const Node& root() const { return root_; }
   /// Cells of the topmost grid.
   std::uint64_t pieces() const { return root_.grid.cells(); }
+  /// Cells wear out: boxes that enter leave gaps in memory behind and crowd cells.
+  bool is_worn_out() const { return copies() > 2 * built_copies_ + 1024; }
   /// Boxes put into cells by the last build and since.
   std::uint64_t copies() const;
   /// Comparisons of two boxes so far.
@@ -134,6 +165,8 @@ class CellTree {
   Node root_;
   Placement placement_;            // while the tree is built
   std::uint32_t cells_built_ = 0;  // of the topmost grid
+  std::size_t built_boxes_ = 0;
+  std::uint64_t built_copies_ = 0;
 };
 
 }  // namespace cellsweep::stream

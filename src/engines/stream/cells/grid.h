@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/tuning.h"
 #include "cellsweep/engine/slots.h"
 #include "engines/stream/kernels/kernel.h"
 #include "geometry/box_lanes.h"
@@ -122,13 +123,15 @@ class Grid {
   std::uint32_t cells_ = 1;
 };
 
-/// Which boxes are looked at.
+/// Which boxes are looked at before a grid is chosen. What few tell may be wrong by any factor, by chance or
+/// because somebody placed the boxes so: where it turns out to be, all are looked at.
 enum class Look {
+  /// At few; and, when one of them is many times as long as is usual, at all for those that are, unless a
+  /// look at some more shows many: one among the few would stand for thousands.
   at_few,
-  /// At all, for those that are many times as long as is usual: one of them among the few would stand for
-  /// thousands. That is also done when there is one among the few, unless a look at some more shows many; one
-  /// that they miss may reach into every cell.
-  at_all
+  at_all,
+  /// At all, for a grid whose cells they cannot crowd even where each starts close to a border on every axis.
+  at_all_carefully
 };
 
 /// A grid for boxes, and whether cutting is expected to pay.
@@ -139,6 +142,14 @@ struct GridChoice {
 
   std::size_t most_copies(std::size_t boxes) const;
 };
-GridChoice choose_grid(const Boxes& boxes, Look look);
+/// Boxes reach into no more than so many cells, in the mean, if it is as expected; choose again where it is
+/// not.
+GridChoice choose_grid(const Boxes& boxes, Look look, double most_copies = tuning::kMostCopies);
+
+/// Whether a choice made of few boxes is to be made again, of all, because it does not cut so many boxes or
+/// leaves most of them in one cell.
+inline bool is_doubtful(Look look, std::size_t boxes, std::size_t fullest_cell) {
+  return look == Look::at_few && boxes >= tuning::kDoubted && fullest_cell > boxes / 4 * 3;
+}
 
 }  // namespace cellsweep::stream

@@ -84,14 +84,15 @@ std::size_t GridChoice::most_copies(std::size_t boxes) const {
   return static_cast<std::size_t>(std::min(copies * static_cast<double>(boxes), kAnyNumber));
 }
 
-GridChoice choose_grid(const Boxes& boxes, Look look) {
+GridChoice choose_grid(const Boxes& boxes, Look look, double most_copies) {
   const BoxSample sample = take_sample(boxes, look);
   const auto count = static_cast<double>(boxes.count());
+  const double most_expected = look == Look::at_all_carefully ? most_copies / 8 : (1 + most_copies) / 2;
   Plan best;
   double best_in_cell = 0;
   for (double in_cell = 8; in_cell < count && in_cell < 600; in_cell *= 1.6) {
     const Plan plan = plan_for(sample, count, in_cell);
-    if (plan.cost < best.cost) {
+    if (plan.cost < best.cost && plan.copies <= most_expected) {
       best = plan;
       best_in_cell = in_cell;
     }
@@ -101,7 +102,8 @@ GridChoice choose_grid(const Boxes& boxes, Look look) {
     best = plan_for(sample, count, std::max(kPieceBoxes, count / kMaxCells));
   }
   const bool cuts = best.dims[0] * best.dims[1] * best.dims[2] > 1;
-  const double copies = look == Look::at_few ? tuning::kManyCopies * best.copies : DBL_MAX;
+  const double copies =
+      look == Look::at_few ? std::min(tuning::kManyCopies * best.copies, most_copies) : most_copies;
   return {make_grid(sample, best), pays && cuts, copies};
 }
 

@@ -49,11 +49,14 @@ void Keys::shrink(std::size_t count) {
 
 void Keys::clear() {
   constexpr std::size_t kKept = 4096;
-  if (capacity > kKept && size < capacity / 8) {
-    give_memory(keys);
-    keys = nullptr;
-    capacity = 0;
-  }
+  if (capacity > kKept && size < capacity / 8) return give_back();
+  shrink(0);
+}
+
+void Keys::give_back() {
+  give_memory(keys);
+  keys = nullptr;
+  capacity = 0;
   shrink(0);
 }
 

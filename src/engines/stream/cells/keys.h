@@ -26,6 +26,8 @@ class Keys : private KeyBuffer {
   std::size_t bytes() const { return capacity * sizeof(std::uint64_t); }
   /// Empties it; gives memory back when there was use for little of it.
   void clear();
+  /// Empties it and gives all memory back.
+  void give_back();
 
   /// From now on pairs must be allowed by these filters, by slot; none: all are.
   void allow(std::span<const BodyFilter> filters) { filters_ = filters; }

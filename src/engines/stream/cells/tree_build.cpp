@@ -26,6 +26,14 @@ void prefix_sums(std::uint32_t* counts, unsigned workers, std::uint32_t cells, s
   }
 }
 
+constexpr Look kLooks[] = {Look::at_few, Look::at_all, Look::at_all_carefully};
+
+std::size_t count_copies(std::span<const std::span<const BoxCopy>> lists) {
+  std::size_t sum = 0;
+  for (const auto list : lists) sum += list.size();
+  return sum;
+}
+
 /// A list in an arena that nobody else takes from in the meantime. It moves when it outgrows its place.
 template <class T>
 class CopyList {
@@ -66,15 +74,19 @@ CellBoxes new_cell(Arena& arena, std::size_t count, unsigned lanes) {
 }
 
 Placement TreeBuilder::place(const Boxes& boxes, Node& root) {
-  std::optional<Placement> placement = try_place(boxes, Look::at_few, root);
-  if (!placement) placement = try_place(boxes, Look::at_all, root);
-  return std::move(*placement);
+  for (const Look look : kLooks) {
+    if (auto placement = try_place(boxes, look, choose_grid(boxes, look), root)) return std::move(*placement);
+  }
+  return std::move(*try_place(boxes, Look::at_all, GridChoice{}, root));
 }
 
-// Nothing when boxes reach into many more cells than was expected.
-std::optional<Placement> TreeBuilder::try_place(const Boxes& boxes, Look look, Node& root) {
-  GridChoice choice = choose_grid(boxes, look);
-  if (!choice.pays) choice.grid = Grid();
+// Nothing when boxes reach into many more cells than was expected, or the choice is doubtful.
+std::optional<Placement> TreeBuilder::try_place(const Boxes& boxes, Look look, GridChoice choice,
+                                                Node& root) {
+  if (!choice.pays) {
+    if (is_doubtful(look, boxes.count(), boxes.count())) return std::nullopt;
+    choice.grid = Grid();
+  }
   root.grid = choice.grid;
   const std::uint32_t cells = root.grid.cells();
   const unsigned workers = crew_.active();
@@ -84,8 +96,11 @@ std::optional<Placement> TreeBuilder::try_place(const Boxes& boxes, Look look, N
   std::fill_n(counts, std::size_t{workers} * cells, 0);
   std::vector<std::optional<std::span<const BoxCopy>>> copies(workers);
   crew_.run([&](unsigned worker) {
-    copies[worker] = list_copies(boxes, Share::of(boxes.count(), worker, workers), choice,
-                                 counts + std::size_t{worker} * cells, scratches_[worker]->job);
+    const Share share = Share::of(boxes.count(), worker, workers);
+    const std::size_t most =
+        choice.most_copies(look == Look::at_few ? share.last - share.first : boxes.count());
+    copies[worker] = list_copies(boxes, share, choice.grid, most, counts + std::size_t{worker} * cells,
+                                 scratches_[worker]->job);
   });
   Placement placement;
   for (unsigned worker = 0; worker < workers; ++worker) {
@@ -94,6 +109,10 @@ std::optional<Placement> TreeBuilder::try_place(const Boxes& boxes, Look look, N
     placement.places.push_back(counts + std::size_t{worker} * cells);
   }
   prefix_sums(counts, workers, cells, sums);
+  if (is_doubtful(look, boxes.count(), *std::max_element(sums, sums + cells))) return std::nullopt;
+  const std::size_t all_copies = count_copies(placement.copies);
+  if (all_copies > choice.most_copies(boxes.count())) return std::nullopt;
+  placement.inside = Level().inside(all_copies, boxes.count());
   placement.cells = make_targets(sums, cells, scratch);
   root.cells = scratch.cells.take<Cell>(cells);
   return placement;
@@ -107,7 +126,8 @@ void TreeBuilder::fill(const Boxes& boxes, const Placement& placement) {
 
 void TreeBuilder::finish(const Placement& placement, std::uint32_t first, std::uint32_t end, Node& root) {
   crew_.for_each(end - first, 4, [&](unsigned worker, std::size_t cell) {
-    finish_cell(placement.cells[first + cell], root.cells[first + cell], *scratches_[worker], 1);
+    finish_cell(placement.cells[first + cell], root.cells[first + cell], *scratches_[worker],
+                placement.inside);
   });
 }
 
@@ -124,11 +144,9 @@ void TreeBuilder::find_blocks(const Boxes& boxes, std::size_t first, std::size_t
 // Which box goes into which cells, and how many come into each; nothing when these are too many. Whether a
 // box reaches into one cell or two is as good as random: no branch asks for it.
 std::optional<std::span<const BoxCopy>> TreeBuilder::list_copies(const Boxes& boxes, Share share,
-                                                                 const GridChoice& choice,
+                                                                 const Grid& grid, std::size_t most,
                                                                  std::uint32_t* counts, Arena& arena) const {
   CopyList<BoxCopy> list(arena, share.last - share.first);
-  const Grid& grid = choice.grid;
-  const std::size_t most = choice.most_copies(share.last - share.first);
   const GridNumbers numbers = grid.numbers();
   EightBlocks blocks;
   for (std::size_t i = share.first; i < share.last; ++i) {
@@ -186,8 +204,9 @@ CellBoxes* TreeBuilder::make_targets(const std::uint32_t* counts, std::uint32_t 
   return targets;
 }
 
-void TreeBuilder::finish_cell(const CellBoxes& target, Cell& cell, Scratch& scratch, unsigned depth) const {
-  if (target.count > kLargestCell) return build_inside(target, cell, scratch, depth);
+void TreeBuilder::finish_cell(const CellBoxes& target, Cell& cell, Scratch& scratch,
+                              const Level& level) const {
+  if (target.count > kLargestCell) return build_inside(target, cell, scratch, level);
   cell = Cell{target, nullptr};
   find_pairs(target, scratch);
 }
@@ -212,24 +231,32 @@ std::uint32_t TreeBuilder::put_static_last(const CellBoxes& cell) const {
   return static_cast<std::uint32_t>(std::partition(cell.boxes, cell.boxes + cell.count, moves) - cell.boxes);
 }
 
-void TreeBuilder::build_inside(const CellBoxes& boxes, Cell& cell, Scratch& scratch, unsigned depth) const {
-  for (const Look look : {Look::at_few, Look::at_all}) {
-    const GridChoice choice = depth < kDeepest ? choose_grid(Boxes(boxes), look) : GridChoice{};
-    if (!choice.pays) return keep_whole(boxes, cell, scratch);
-    if (split(Boxes(boxes), choice, cell, scratch, depth)) return;
+void TreeBuilder::build_inside(const CellBoxes& boxes, Cell& cell, Scratch& scratch,
+                               const Level& level) const {
+  for (const Look look : kLooks) {
+    if (level.depth >= kDeepest) break;
+    const GridChoice choice = choose_grid(Boxes(boxes), look, level.most_copies);
+    if (choice.pays) {
+      if (split(Boxes(boxes), look, choice, cell, scratch, level)) return;
+    } else if (!is_doubtful(look, boxes.count, boxes.count)) {
+      break;
+    }
   }
+  keep_whole(boxes, cell, scratch);
 }
 
-// False when boxes reach into many more cells than was expected.
-bool TreeBuilder::split(const Boxes& boxes, const GridChoice& choice, Cell& cell, Scratch& scratch,
-                        unsigned depth) const {
+// False when boxes reach into many more cells than was expected, or the choice is doubtful.
+bool TreeBuilder::split(const Boxes& boxes, Look look, const GridChoice& choice, Cell& cell, Scratch& scratch,
+                        const Level& level) const {
   const ArenaScope scope(scratch.job);
   const std::uint32_t cells = choice.grid.cells();
   auto* counts = scratch.job.take<std::uint32_t>(cells);
   std::fill_n(counts, cells, 0);
-  const auto copies = list_copies(boxes, {0, boxes.count()}, choice, counts, scratch.job);
-  if (!copies) return false;
+  const auto copies = list_copies(boxes, {0, boxes.count()}, choice.grid, choice.most_copies(boxes.count()),
+                                  counts, scratch.job);
+  if (!copies || is_doubtful(look, boxes.count(), *std::max_element(counts, counts + cells))) return false;
   scratch.copies -= boxes.count();
+  const Level inside_level = level.inside(copies->size(), boxes.count());
   const CellBoxes* targets = make_targets(counts, cells, scratch);
   std::fill_n(counts, cells, 0);
   fill(boxes, *copies, targets, counts);
@@ -237,7 +264,7 @@ bool TreeBuilder::split(const Boxes& boxes, const GridChoice& choice, Cell& cell
   cell.boxes = CellBoxes{};
   cell.node = scratch.cells.take<Node>(1);
   *cell.node = Node{choice.grid, inside};
-  for (std::uint32_t i = 0; i < cells; ++i) finish_cell(targets[i], inside[i], scratch, depth + 1);
+  for (std::uint32_t i = 0; i < cells; ++i) finish_cell(targets[i], inside[i], scratch, inside_level);
   return true;
 }
 

@@ -29,17 +29,17 @@ class TreeBuilder {
  private:
   void find_blocks(const Boxes& boxes, std::size_t first, std::size_t end, const GridNumbers& grid,
                    EightBlocks& blocks) const;
-  std::optional<Placement> try_place(const Boxes& boxes, Look look, Node& root);
-  std::optional<std::span<const BoxCopy>> list_copies(const Boxes& boxes, Share share,
-                                                      const GridChoice& choice, std::uint32_t* counts,
+  std::optional<Placement> try_place(const Boxes& boxes, Look look, GridChoice choice, Node& root);
+  std::optional<std::span<const BoxCopy>> list_copies(const Boxes& boxes, Share share, const Grid& grid,
+                                                      std::size_t most, std::uint32_t* counts,
                                                       Arena& arena) const;
   void fill(const Boxes& boxes, std::span<const BoxCopy> copies, const CellBoxes* targets,
             std::uint32_t* places) const;
   CellBoxes* make_targets(const std::uint32_t* counts, std::uint32_t cells, Scratch& scratch) const;
-  void finish_cell(const CellBoxes& target, Cell& cell, Scratch& scratch, unsigned depth) const;
-  void build_inside(const CellBoxes& boxes, Cell& cell, Scratch& scratch, unsigned depth) const;
-  bool split(const Boxes& boxes, const GridChoice& choice, Cell& cell, Scratch& scratch,
-             unsigned depth) const;
+  void finish_cell(const CellBoxes& target, Cell& cell, Scratch& scratch, const Level& level) const;
+  void build_inside(const CellBoxes& boxes, Cell& cell, Scratch& scratch, const Level& level) const;
+  bool split(const Boxes& boxes, Look look, const GridChoice& choice, Cell& cell, Scratch& scratch,
+             const Level& level) const;
   void find_pairs(const CellBoxes& cell, Scratch& scratch) const;
   std::uint32_t put_static_last(const CellBoxes& cell) const;
   void keep_whole(const CellBoxes& boxes, Cell& cell, Scratch& scratch) const;

@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "engines/stream/cells/tree_build.h"
 
 namespace cellsweep::stream {
 namespace {
+
+/// Stops what would put boxes into too many cells.
+void check_visits(std::uint64_t visits, const Scratch& scratch) {
+  if (visits > scratch.most_copies) throw TooMuchWork();
+}
 
 /// The place of a body, which is not one of the first `from`.
 std::uint32_t place_of(const CellBoxes& cell, std::uint32_t slot, std::uint32_t from) {
@@ -65,6 +71,8 @@ void TreeChanger::change(std::span<const FatBoxChange> changes, Node& root) {
     std::uint32_t* counts = places + std::size_t{worker} * cells;
     for_share(worker, [&](std::uint32_t cell, const Visit&) { ++counts[cell]; });
   });
+  check_visits(std::accumulate(places, places + std::size_t{workers} * cells, std::uint64_t{0}),
+               *scratches_[0]);
   std::uint32_t prefix_sum = 0;
   for (std::uint32_t cell = 0; cell < cells; ++cell) {
     first[cell] = prefix_sum;
@@ -97,6 +105,7 @@ void TreeChanger::change_one(const FatBoxChange& change, Node& root) {
   Scratch& scratch = *scratches_[0];
   std::size_t count = 0;
   for_each_visit(first_visit(change, 0), root.grid, [&](std::uint32_t, const Visit&) { ++count; });
+  check_visits(count, scratch);
   auto* visits = scratch.job.take<CellVisit>(count);
   CellVisit* end = visits;
   for_each_visit(first_visit(change, 0), root.grid, [&](std::uint32_t cell, const Visit& visit) {
@@ -145,6 +154,7 @@ void TreeChanger::change_node(std::span<const Visit> visits, Node& node, Scratch
   for (const Visit& visit : visits) {
     for_each_visit(visit, node.grid, [&](std::uint32_t cell, const Visit&) { ++place[cell + 1]; });
   }
+  check_visits(std::accumulate(place, place + cells + 1, std::uint64_t{0}), scratch);
   for (std::uint32_t cell = 0; cell < cells; ++cell) place[cell + 1] += place[cell];
   auto* inside = scratch.job.take<Visit>(place[cells]);
   for (const Visit& visit : visits) {
@@ -159,6 +169,7 @@ void TreeChanger::change_node(std::span<const Visit> visits, Node& node, Scratch
 
 void TreeChanger::make_room(CellBoxes& cell, std::uint32_t more, Scratch& scratch) const {
   scratch.copies += more;
+  if (scratch.copies > scratch.most_copies) throw TooMuchWork();
   if (cell.count + more <= cell.capacity) return;
   CellBoxes larger = new_cell(scratch.cells, std::size_t{cell.count} + more, kernels_.lanes);
   larger.count = cell.count;
@@ -183,8 +194,9 @@ void TreeChanger::change_boxes(std::span<const Visit> visits, CellBoxes& cell, S
     boxes[rows++] = {change.new_box, change.slot | std::uint32_t{visit.new_flags} % kThere << kSlotBits, 0};
   }
   if (!finds_pairs_) return;
-  kernels_.all_pairs(cell, rows, scratch.touched.buffer());
   scratch.tests += std::uint64_t{rows} * (2 * std::uint64_t{cell.count} - rows - 1) / 2;
+  if (scratch.tests > scratch.most_tests) throw TooMuchWork();
+  kernels_.all_pairs(cell, rows, scratch.touched.buffer());
 }
 
 }  // namespace cellsweep::stream

@@ -60,11 +60,24 @@ void CandidateList::replace(KeyParts found) {
   size_ = count_keys(found);
 }
 
-void CandidateList::note(Crew& crew, std::span<const std::uint64_t> keys, bool are_there) {
-  if (notes_.size() + keys.size() > size_ / 4 + tuning::kFewNotes) pairs(crew);
-  notes_.reserve(notes_.size() + keys.size());
+void CandidateList::begin_notes(Crew& crew) {
+  if (notes_.size() > size_ / 4 + tuning::kFewNotes) pairs(crew);
+  notes_before_ = notes_.size();
+  size_before_ = size_;
+}
+
+bool CandidateList::note(std::span<const std::uint64_t> keys, bool are_there) {
+  const std::size_t size = notes_.size() + keys.size();
+  if (size - notes_before_ > size_before_ / 2 + tuning::kManyNotes) return false;
+  notes_.reserve(size);
   for (const std::uint64_t key : keys) notes_.push({key, are_there});
   size_ = are_there ? size_ + keys.size() : size_ - keys.size();
+  return true;
+}
+
+void CandidateList::forget_notes() {
+  notes_.set_size(notes_before_);
+  size_ = size_before_;
 }
 
 SlotPairChanges CandidateList::change(Crew& crew, KeyParts touched, const std::uint8_t* changed) {
@@ -101,6 +114,14 @@ void CandidateList::list_pairs_of(Crew& crew, const std::uint8_t* changed, Array
     size += counts[worker];
   }
   listed.shrink(size);
+}
+
+void CandidateList::give_back(Crew& crew) {
+  pairs(crew);
+  for (Array<SlotPair>* list : {&spare_, &began_, &ended_}) *list = {};
+  keys_ = {};
+  notes_ = {};
+  pairs_.fit();
 }
 
 std::size_t CandidateList::bytes() const {

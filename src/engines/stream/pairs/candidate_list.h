@@ -38,13 +38,20 @@ class CandidateList {
   SlotPairChanges change(Crew& crew, KeyParts touched, const std::uint8_t* changed);
 
   /// Some pairs are there from now on, or are not, but nobody asks what became of them: the list is brought
-  /// up to date when that is asked for, or when so much waits that the next calls are cheaper with it.
-  void note(Crew& crew, std::span<const std::uint64_t> keys, bool are_there);
+  /// up to date when that is asked for, or by begin_notes() when so much waits that the next calls are
+  /// cheaper with it. False, and nothing is noted, when more would have changed since begin_notes() than half
+  /// of the list and some: forget_notes() makes it what it was then.
+  void begin_notes(Crew& crew);
+  bool note(std::span<const std::uint64_t> keys, bool are_there);
+  void forget_notes();
 
   /// Ascending.
   std::span<const SlotPair> pairs(Crew& crew);
 
   std::size_t size() const { return size_; }
+
+  /// Gives memory back that the next call may ask for again.
+  void give_back(Crew& crew);
 
   /// Bytes held.
   std::size_t bytes() const;
@@ -60,6 +67,8 @@ class CandidateList {
   Array<SlotPair> ended_;
   Array<std::uint64_t> keys_;
   std::size_t size_ = 0;
+  std::size_t notes_before_ = 0;  // at begin_notes(),
+  std::size_t size_before_ = 0;   // and how many pairs there were
 };
 
 }  // namespace cellsweep::stream

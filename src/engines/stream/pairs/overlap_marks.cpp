@@ -324,6 +324,13 @@ void OverlapMarks::list_marked(std::span<const SlotPair> candidates, Array<SlotP
   marked.shrink(static_cast<std::size_t>(end - marked.data()));
 }
 
+void OverlapMarks::give_back() {
+  spare_ = {};
+  began_ = {};
+  ended_ = {};
+  marks_.fit();
+}
+
 std::size_t OverlapMarks::bytes() const {
   return marks_.bytes() + spare_.bytes() + began_.bytes() + ended_.bytes();
 }

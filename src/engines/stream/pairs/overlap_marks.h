@@ -50,6 +50,9 @@ class OverlapMarks {
   /// Writes the marked ones of the candidates to a list.
   void list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const;
 
+  /// Gives memory back that the next call may ask for again.
+  void give_back();
+
   /// Bytes held.
   std::size_t bytes() const;
 

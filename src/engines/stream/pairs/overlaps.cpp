@@ -86,15 +86,24 @@ bool Overlaps::are_few(const BodyChanges& changes) const {
 
 void Overlaps::change_cells_of_few(CellTree& cells, const BodyChanges& changes,
                                    std::span<const FatBoxChange> fat_changes) {
+  list_.begin_notes(crew_);
+  cells.begin_changes();
   mark_fresh(changes, 1);
   few_.ask_before(cells, changes, fresh_.data());
   for (const FatBoxChange& change : fat_changes) {
-    if (change.was)
-      list_.note(crew_, few_.partners(cells, changes.filters, change.slot, change.old_box), false);
+    if (change.was) note(few_.partners(cells, changes.filters, change.slot, change.old_box), false);
     cells.change_one(change);
-    if (change.is)
-      list_.note(crew_, few_.partners(cells, changes.filters, change.slot, change.new_box), true);
+    if (change.is) note(few_.partners(cells, changes.filters, change.slot, change.new_box), true);
   }
+}
+
+void Overlaps::note(std::span<const std::uint64_t> keys, bool are_there) {
+  if (!list_.note(keys, are_there)) throw TooMuchWork();
+}
+
+void Overlaps::forget_few(const BodyChanges& changes) {
+  list_.forget_notes();
+  mark_fresh(changes, 0);
 }
 
 FoundPairs Overlaps::find_of_few(CellTree& cells, const BodyChanges& changes) {
@@ -108,13 +117,25 @@ FoundPairs Overlaps::find_of_few(CellTree& cells, const BodyChanges& changes) {
 FoundPairs Overlaps::end_all(const BodyChanges& changes) {
   repair_marks(changes);
   marks_.list_marked(list_.pairs(crew_), ended_);
+  clear();
+  return {.ended = std::as_const(ended_).view()};
+}
+
+void Overlaps::clear() {
   list_ = {};
   marks_ = {};
   few_ = {};
   fresh_ = Vector<std::uint8_t>();
+  before_ = {};
   are_pairs_ = true;
   marks_say_ = Marks::all_overlap;
-  return {.ended = std::as_const(ended_).view()};
+}
+
+void Overlaps::give_back() {
+  list_.give_back(crew_);
+  marks_.give_back();
+  few_ = {};
+  ended_ = {};
 }
 
 void Overlaps::mark_fresh(const BodyChanges& changes, std::uint8_t mark) {

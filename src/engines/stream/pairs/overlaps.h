@@ -56,13 +56,20 @@ class Overlaps {
 
   /// Whether so few bodies changed that the cells should be asked for their pairs.
   bool are_few(const BodyChanges& changes) const;
-  /// Asks the cells, and changes them, one body at a time.
+  /// Asks the cells, and changes them, one body at a time. These throw TooMuchWork; then forget_few() makes
+  /// everything but the cells what it was, and all is to be found anew.
   void change_cells_of_few(CellTree& cells, const BodyChanges& changes,
                            std::span<const FatBoxChange> fat_changes);
   FoundPairs find_of_few(CellTree& cells, const BodyChanges& changes);
+  void forget_few(const BodyChanges& changes);
 
   /// Nobody is left: all pairs end, and the memory goes back.
   FoundPairs end_all(const BodyChanges& changes);
+
+  /// No pairs, and no memory but what little is always kept.
+  void clear();
+  /// Gives memory back that the next update may ask for again; what was found may lie there no longer.
+  void give_back();
 
   std::size_t candidates() const { return list_.size(); }
   /// Comparisons of two boxes so far.
@@ -77,6 +84,7 @@ class Overlaps {
   void mark_fresh(const BodyChanges& changes, std::uint8_t mark);
   void mark_fresh(std::span<const FatBoxChange> fat_changes, std::uint8_t mark);
   void repair_marks(const BodyChanges& changes);
+  void note(std::span<const std::uint64_t> keys, bool are_there);
 
   Crew& crew_;
   CandidateList list_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/tuning.h"
 #include "contract/random.h"
 
 namespace cellsweep::stream {
@@ -63,11 +64,28 @@ TEST(BoxSample, TellsHowManyAreLargeThatStandInLine) {
   }
 }
 
+TEST(BoxSample, OfAllIsNotThatOfAFewPlaces) {
+  std::vector<Aabb> boxes = small_boxes();
+  for (std::size_t i = 0; i < kBoxes; ++i) {
+    if (i * tuning::kSample % kBoxes >= tuning::kSample) make_large(boxes[i]);
+  }
+  const BoxSample sample = take_sample(Boxes(boxes.data(), boxes.size()), Look::at_all);
+  EXPECT_NEAR(sample.extents.x, 50, 2);
+  EXPECT_NEAR(sample.axes[1].length, 1000, 50);
+  for (std::size_t i = 0; i < kBoxes; i += 2) boxes[i] = kNobody;
+  for (std::size_t i = 1; i < kBoxes; i += 2) boxes[i].min[0] = boxes[i].max[0] = 7;
+  const BoxSample plane = take_sample(Boxes(boxes.data(), boxes.size()), Look::at_all);
+  EXPECT_EQ(plane.axes[0].origin, 7);
+  EXPECT_EQ(plane.axes[0].length, 0);
+  EXPECT_NEAR(plane.extents.y, 50, 3);
+}
+
 TEST(BoxSample, OfWhichFewAreLargeIsThatOfAll) {
   std::vector<Aabb> boxes = small_boxes();
+  boxes[0] = {{400, 400, 400}, {400, 400, 400}};  // where no range cuts anything of it off
   make_large(boxes[0]);
   expect_alike(boxes, 1.1);
-  for (std::size_t i = 0; i < boxes.size(); i += 2000) make_large(boxes[i]);
+  for (std::size_t i = 0; i < boxes.size(); i += 2000) boxes[i] = boxes[0];
   expect_alike(boxes, 1.1);
 }
 

@@ -217,13 +217,42 @@ TEST_P(CellTreeTest, StopsAtMorePairsThanThereMayBe) {
   EXPECT_THROW(tree_.build({heap.data(), heap.size()}), TooManyPairs);
   tree_.limit_pairs(kAny);
   build(uniform_boxes(500, 6));
-  boxes_.resize(3000, kNobody);
+  boxes_.resize(1700, kNobody);
   tree_.limit_pairs(10'000);
-  for (Slot slot = 500; slot < 3000; ++slot) change(slot, {{1, 1, 1}, {2, 2, 2}});
+  for (Slot slot = 500; slot < 1700; ++slot) change(slot, {{1, 1, 1}, {2, 2, 2}});
   EXPECT_THROW(tree_.change(changes_), TooManyPairs);
   changes_.clear();
   tree_.limit_pairs(kAny);
   build(uniform_boxes(500, 7));
+}
+
+TEST_P(CellTreeTest, StopsAtChangesThatTakeMoreThanToBeMadeAnew) {
+  // Points, among which sheets would come into a thousand cells each.
+  Random random(8);
+  std::vector<Aabb> points(20'000);
+  for (Aabb& point : points) point = cube_in(random, 1e-4F, 1);
+  build(points);
+  for (Slot slot = 0; slot < 2000; ++slot) {
+    const float z = random.unit();
+    change(slot, {{0, 0, z}, {1, 1, z}});
+  }
+  EXPECT_THROW(tree_.change(changes_), TooMuchWork);
+  build(points);
+  tree_.begin_changes();
+  const auto change_all = [&] {
+    for (const FatBoxChange& one : changes_) tree_.change_one(one);
+  };
+  EXPECT_THROW(change_all(), TooMuchWork);
+  changes_.clear();
+  // And one cell that is asked again and again.
+  points.assign(2000, Aabb{{0, 0, 0}, {0, 0, 0}});
+  build(points);
+  tree_.begin_changes();
+  Keys slots;
+  const auto ask_often = [&] {
+    for (int time = 0; time < 2000; ++time) tree_.find_partners({{0, 0, 0}, {0, 0, 0}}, slots);
+  };
+  EXPECT_THROW(ask_often(), TooMuchWork);
 }
 
 INSTANTIATE_TEST_SUITE_P(Workers, CellTreeTest, testing::Values(1U, 3U));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/thread_pool.h"
+#include "base/tuning.h"
 #include "contract/random.h"
 
 namespace cellsweep::stream {
@@ -113,11 +114,54 @@ TEST_P(CandidateListTest, OfSeveralNotesOnAPairTheLastCounts) {
   list_.replace(found.view());
   const std::uint64_t one = pair_key(SlotPair{4, 5});
   const std::uint64_t other = pair_key(SlotPair{7, 8});
-  list_.note(crew_, {&one, 1}, false);
-  list_.note(crew_, {&other, 1}, true);
-  list_.note(crew_, {&other, 1}, false);
-  list_.note(crew_, {&one, 1}, true);
+  list_.begin_notes(crew_);
+  EXPECT_TRUE(list_.note({&one, 1}, false));
+  EXPECT_TRUE(list_.note({&other, 1}, true));
+  EXPECT_TRUE(list_.note({&other, 1}, false));
+  EXPECT_TRUE(list_.note({&one, 1}, true));
   EXPECT_EQ(list_.size(), 2U);
+  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{1, 2}, SlotPair{4, 5}));
+}
+
+TEST_P(CandidateListTest, IsWhatItWasWhenNotesAreForgotten) {
+  Parts found{{1, 2}, {4, 5}};
+  list_.replace(found.view());
+  const std::uint64_t one = pair_key(SlotPair{4, 5});
+  const std::uint64_t other = pair_key(SlotPair{7, 8});
+  list_.begin_notes(crew_);
+  EXPECT_TRUE(list_.note({&one, 1}, false));
+  list_.begin_notes(crew_);
+  EXPECT_TRUE(list_.note({&one, 1}, true));
+  EXPECT_TRUE(list_.note({&other, 1}, true));
+  list_.forget_notes();
+  EXPECT_EQ(list_.size(), 1U);
+  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{1, 2}));
+}
+
+TEST_P(CandidateListTest, TakesNoMoreNotesInOneUpdateThanItHasUseFor) {
+  Parts found{{1, 2}, {4, 5}};
+  list_.replace(found.view());
+  std::vector<std::uint64_t> keys;
+  for (Slot slot = 10; slot < 10 + tuning::kManyNotes; ++slot) keys.push_back(pair_key(SlotPair{0, slot}));
+  list_.begin_notes(crew_);
+  EXPECT_TRUE(list_.note(keys, true));
+  EXPECT_TRUE(list_.note(std::span(keys).first(1), false));
+  EXPECT_FALSE(list_.note(std::span(keys).first(1), true));
+  EXPECT_EQ(list_.size(), 1 + keys.size());
+  list_.begin_notes(crew_);
+  EXPECT_TRUE(list_.note(std::span(keys).first(1), true));
+}
+
+TEST_P(CandidateListTest, GivesBackWhatItHasNoUseFor) {
+  Parts found{};
+  for (Slot slot = 1; slot < 100'000; ++slot) found.add(0, {0, slot});
+  list_.replace(found.view());
+  EXPECT_EQ(list_.pairs(crew_).size(), 99'999U);
+  Parts few{{1, 2}, {4, 5}};
+  list_.replace(few.view());
+  EXPECT_EQ(list_.pairs(crew_).size(), 2U);
+  list_.give_back(crew_);
+  EXPECT_LE(list_.bytes(), 64U << 10);
   EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{1, 2}, SlotPair{4, 5}));
 }
 
@@ -165,8 +209,9 @@ TEST_P(CandidateListTest, ChangesOneByOneAmountToTheSameSet) {
     } else if (round % 3 == 0) {
       list_.change(crew_, touched.view(), flags);
     } else {
-      list_.note(crew_, ended, false);
-      list_.note(crew_, began, true);
+      list_.begin_notes(crew_);
+      ASSERT_TRUE(list_.note(ended, false));
+      ASSERT_TRUE(list_.note(began, true));
     }
     ASSERT_EQ(list_.size(), truth.size());
     if (round % 2 == 0 && round % 7 != 3) continue;

@@ -1,0 +1,141 @@
+/// @file
+/// Engine `stream` without its handle: what it keeps when bodies or pairs have gone, or an update was
+/// refused.
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <memory>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "broadphase/bodies/bodies.h"
+#include "engines/stream/stream.h"
+#include "engines/stream/worlds.h"
+
+namespace cellsweep::stream {
+namespace {
+
+/// An engine, and bodies to tell it of.
+class EngineMemory : public testing::TestWithParam<unsigned> {
+ protected:
+  void insert(const std::vector<Aabb>& boxes) {
+    const Capacity any_number = {kSlotMask, "", ""};
+    ASSERT_TRUE(bodies_.insert(*crew_, ids_below(boxes.size()), boxes, {}, "stream", any_number).ok());
+    update();
+  }
+  void move(const std::vector<Aabb>& boxes, std::size_t count) {
+    ASSERT_TRUE(bodies_.move(*crew_, ids_below(count), std::span(boxes).first(count)).ok());
+    update();
+  }
+  void remove_all() {
+    ASSERT_TRUE(bodies_.remove(ids_below(bodies_.size())).ok());
+    update();
+  }
+
+  /// Takes the changes in and remembers what was found.
+  void update() {
+    statistics_.bytes = 0;
+    const auto found = engine_.update(bodies_.begin_update(), statistics_);
+    ASSERT_TRUE(found.ok()) << found.status().message;
+    ended_ = found->ended.size();
+    began_ = found->began.size();
+    for (const auto part : found->more_began) began_ += part.size();
+    bodies_.commit();
+  }
+
+  std::shared_ptr<Crew> crew_ =
+      std::make_shared<Crew>(std::make_shared<ThreadPool>(GetParam()), GetParam(), Crew::Choice::given);
+  Stream engine_{{crew_, 0, find_kernels(VectorIsa::best)}};
+  Bodies bodies_;
+  Statistics statistics_;
+  std::size_t began_ = 0;
+  std::size_t ended_ = 0;
+};
+
+TEST_P(EngineMemory, GoesBackWithTheLastBodyAndEveryPairEnds) {
+  std::vector<Aabb> boxes = uniform_boxes(40'000 / kScale, 1);
+  insert(boxes);
+  const std::size_t pairs = began_;
+  // All ways to look at changes leave lists behind.
+  for (const float step : {0.01F, 0.01F, 3.0F, 3.0F}) {
+    shake(boxes, step, 2);
+    move(boxes, boxes.size());
+    move(uniform_boxes(boxes.size(), 3), boxes.size() / 100);
+    move(boxes, boxes.size() / 100);
+  }
+  for (int time = 0; time < 2; ++time) {
+    remove_all();
+    insert({boxes[0], boxes[0]});
+    EXPECT_EQ(began_, 1U);
+    EXPECT_EQ(ended_, 0U);
+  }
+  remove_all();
+  EXPECT_EQ(ended_, 1U);
+  EXPECT_GT(pairs, 10'000U / kScale);
+  EXPECT_LE(statistics_.bytes, 450'000U + 50'000U * GetParam()) << "a little is kept, whatever the world";
+}
+
+/// Boxes that overlap nobody, in rows.
+std::vector<Aabb> rows_of(std::size_t count) {
+  std::vector<Aabb> boxes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float x = 2.0F * static_cast<float>(i % 100);
+    const float y = 2.0F * static_cast<float>(i / 100);
+    boxes.push_back({{x, y, 0}, {x + 1, y + 1, 1}});
+  }
+  return boxes;
+}
+
+constexpr std::size_t kHeap = kScale == 1 ? 4000 : 2100;
+
+// Fat boxes make lists that a world without them does not have.
+TEST_P(EngineMemory, GoesBackOneUpdateAfterThatInWhichManyPairsEnded) {
+  std::vector<Aabb> boxes = rows_of(kHeap);
+  insert(boxes);
+  for (int frame = 0; frame < 4; ++frame) {
+    shake(boxes, 0.01F, 1);
+    move(boxes, kHeap);
+  }
+  const std::uint64_t before = statistics_.bytes;
+  move(std::vector<Aabb>(kHeap, boxes[0]), kHeap);
+  ASSERT_EQ(began_, kHeap * (kHeap - 1) / 2);
+  ASSERT_GT(statistics_.bytes, 20 * before);
+  move(boxes, kHeap);
+  ASSERT_EQ(ended_, kHeap * (kHeap - 1) / 2);
+  boxes[0].max[2] += 0.001F;
+  move(boxes, 1);
+  EXPECT_LE(statistics_.bytes, 2 * before);
+  // What follows is not spoilt by it.
+  boxes[1] = boxes[0];
+  move(boxes, 2);
+  EXPECT_EQ(began_, 1U);
+  shake(boxes, 0.01F, 1);
+  move(boxes, kHeap);
+  EXPECT_EQ(began_ + ended_, 0U);
+  remove_all();
+  EXPECT_EQ(ended_, 1U);
+}
+
+TEST_P(EngineMemory, GoesBackInTheUpdateThatIsRefused) {
+  const std::size_t most = kHeap * (kHeap - 1) / 2 - 1;
+  Stream engine({crew_, most, find_kernels(VectorIsa::best)});
+  Bodies bodies;
+  const Capacity any_number = {kSlotMask, "", ""};
+  ASSERT_TRUE(bodies.insert(*crew_, ids_below(kHeap), rows_of(kHeap), {}, "stream", any_number).ok());
+  ASSERT_TRUE(engine.update(bodies.begin_update(), statistics_).ok());
+  bodies.commit();
+  ASSERT_TRUE(
+      bodies.move(*crew_, ids_below(kHeap), std::vector<Aabb>(kHeap, Aabb{{0, 0, 0}, {1, 1, 1}})).ok());
+  const BodyChanges heap = bodies.begin_update();
+  const auto in_use = [] { return mallinfo2().uordblks + mallinfo2().hblkhd; };
+  const std::size_t before = in_use();
+  const auto found = engine.update(heap, statistics_);
+  ASSERT_EQ(found.status().code, StatusCode::capacity);
+  EXPECT_LE(in_use(), before + (std::size_t{1} << 20) * GetParam())
+      << "it found " << most * 8 << " bytes of pairs";
+}
+
+INSTANTIATE_TEST_SUITE_P(Workers, EngineMemory, testing::Values(1U, 3U));
+
+}  // namespace
+}  // namespace cellsweep::stream
