@@ -206,6 +206,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "--threads is 5000; at most 1,024"},
         Refusal{"ThreadsBeyondNumbers", "simulate --engine stream --threads 99999999999999999999999", 2,
                 "at most 1,024"},
+        Refusal{"ThreadsByTheBillion", "verify --engine stream --threads 4000000000", 2,
+                "--threads is 4000000000; at most 1,024"},
         Refusal{"NegativeThreads", "simulate --engine stream --threads -1", 2, "--threads is \"-1\""},
         Refusal{"ThreadsOfAPicture", "render --out a.png --threads 1025", 2, "0 to 1,024"},
         Refusal{"PictureOfAnotherKind", "render --out scene.jpg", 2, "scene.jpg"},

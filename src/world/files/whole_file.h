@@ -18,7 +18,7 @@ Status refusal_of_file(const std::filesystem::path& path, std::string_view reaso
 /// Errors: bad_input, with the path in front, for what cannot be read or is no file.
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 
-/// Writes another file and gives it this name when it is whole. Errors: bad_input, with the path in front.
+/// Writes another file and gives it this name when it is whole. Errors: those of NewFile.
 Status write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 }  // namespace cellsweep
