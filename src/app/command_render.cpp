@@ -51,9 +51,11 @@ struct Render {
   }
 
   static Status go_to(FrameSource& source, std::size_t& at, std::size_t frame) {
+    if (Status status = source.status(); !status.ok()) return status;
     report::Progress progress("render, on the way to frame", frame);
     for (; at < frame; ++at) {
-      if (!source.advance()) return unreached_frame_status(frame, at);
+      if (!source.advance())
+        return source.status().ok() ? unreached_frame_status(frame, at) : source.status();
       progress.show(at);
     }
     return {};

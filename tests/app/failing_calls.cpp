@@ -162,7 +162,11 @@ ssize_t pread(int file, void* bytes, std::size_t size, off_t offset) {
 
 std::size_t fread(void* bytes, std::size_t size, std::size_t count, FILE* file) {
   static const auto real = next(&fread, "fread");
-  return fails(kRead) ? 0 : real(bytes, size, count, file);
+  if (!fails(kRead) || plan.is_short)
+    return real(bytes, size, count, file);  // which goes on to the end itself
+  constexpr int kErrorSeen = 0x20;          // glibc's, what ferror() asks for
+  file->_flags |= kErrorSeen;
+  return 0;
 }
 
 int fsync(int file) {

@@ -162,6 +162,27 @@ TEST_P(WrittenFile, LeavesNothingBesideItWhenASignalEndsTheCommand) {
   }
 }
 
+TEST(ReadFile, IsRefusedInWordsWhicheverReadFails) {
+  if (!can_fail_calls()) GTEST_SKIP() << "no calls can be made to fail in this build";
+  const ScratchFolder scratch;
+  for (const std::string name : {"a.aabbs", "a.npy", "a.npz"}) {
+    if (name == "a.npz" && !traces_have_files()) continue;
+    ASSERT_EQ(run_command("record --bodies 20 --frames 6 --out " + scratch.path(name)).exit_code, 0);
+    const std::string replay = "replay " + scratch.path(name) + " --engine stream,control";
+    for (const std::string kind : {"open", "read"}) {
+      const long calls = calls_of(kind, replay);
+      EXPECT_GT(calls, 0) << name;
+      for (long number = 1; number <= calls; ++number) {
+        const CommandResult result = run_failing(replay, {kind, number, std::to_string(EIO)});
+        EXPECT_EQ(result.exit_code, 2) << name << ": " << kind << ' ' << number;
+        EXPECT_THAT(result.errors, HasSubstr(scratch.path(name) + ": ")) << kind << ' ' << number;
+        EXPECT_EQ(result.output, "") << kind << ' ' << number;
+        EXPECT_EQ(run_failing(replay, {"read", number, "short"}).exit_code, 0) << number;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, WrittenFile,
     testing::Values(

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <utility>
 
 #include "world/files/file_fault.h"
 
@@ -117,17 +118,8 @@ Result<std::vector<std::byte>> content_of(zip_source_t* source) {
   return bytes;
 }
 
-}  // namespace
-
-bool zip_is_there() {
-  return true;
-}
-
-Result<std::vector<ZipMember>> read_zip(std::span<const std::byte> bytes) {
-  if (bytes.empty()) return bad_archive("No bytes");
-  errno = 0;
+Result<std::vector<ZipMember>> read_members(Source source, std::uint64_t archive_bytes) {
   ZipError error;
-  Source source = make_source(bytes);
   const Archive archive(zip_open_from_source(source.get(), ZIP_RDONLY | ZIP_CHECKCONS, error.get()));
   if (!archive) return bad_archive(reason_of(error.get()));
   static_cast<void>(source.release());  // the archive's
@@ -139,9 +131,9 @@ Result<std::vector<ZipMember>> read_zip(std::span<const std::byte> bytes) {
     constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE;
     if (zip_stat_index(archive.get(), index, 0, &stat) != 0 || (stat.valid & kNeeded) != kNeeded)
       return bad_archive(reason_of(zip_get_error(archive.get())));
-    if (!is_possible(stat.size, bytes.size()) || !is_possible(claimed += stat.size, bytes.size())) {
+    if (!is_possible(stat.size, archive_bytes) || !is_possible(claimed += stat.size, archive_bytes)) {
       return bad_recording("expected members of no more than 1100 times the archive's " +
-                           std::to_string(bytes.size()) + " bytes, found " + cellsweep::quoted(stat.name) +
+                           std::to_string(archive_bytes) + " bytes, found " + cellsweep::quoted(stat.name) +
                            " of " + std::to_string(stat.size));
     }
     Result<ZipMember> member = read_member(archive.get(), index, stat);
@@ -149,6 +141,26 @@ Result<std::vector<ZipMember>> read_zip(std::span<const std::byte> bytes) {
     members.push_back(std::move(*member));
   }
   return members;
+}
+
+}  // namespace
+
+bool zip_is_there() {
+  return true;
+}
+
+Result<std::vector<ZipMember>> read_zip(std::span<const std::byte> bytes) {
+  if (bytes.empty()) return bad_archive("No bytes");
+  errno = 0;
+  return read_members(make_source(bytes), bytes.size());
+}
+
+Result<std::vector<ZipMember>> read_zip_file(const std::string& path, std::uint64_t bytes) {
+  errno = 0;
+  ZipError error;
+  Source source(zip_source_file_create(path.c_str(), 0, -1, error.get()));
+  if (!source) return bad_archive(reason_of(error.get()));
+  return read_members(std::move(source), bytes);
 }
 
 Result<std::vector<std::byte>> zip_bytes(std::span<const ZipMember> members) {
