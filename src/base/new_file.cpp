@@ -1,4 +1,4 @@
-#include "base/new_file.h"
+#include "cellsweep/engine/new_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -22,7 +22,7 @@ constexpr mode_t kNewMode = 0666;  // less what the user's umask takes
 constexpr mode_t kAllModes = 07777;
 constexpr mode_t kAnyWriter = 0222;
 
-std::string temporary_name(const std::string& folder, int number) {
+[[gnu::cold]] std::string temporary_name(const std::string& folder, int number) {
   return text(folder, "/.cellsweep-", number, ".tmp");
 }
 
@@ -32,7 +32,7 @@ bool is_same_file(const struct stat& one, const struct stat& other) {
 
 // Writers hold a lock on what has a temporary name, which goes with them however they end. In between, the
 // file may have got its own name, and another the temporary one.
-void remove_leftover(const std::string& name) {
+[[gnu::cold]] void remove_leftover(const std::string& name) {
   const int file = ::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (file < 0) return;
   struct stat locked {};
@@ -43,7 +43,7 @@ void remove_leftover(const std::string& name) {
   ::close(file);
 }
 
-void remove_leftovers(const std::string& folder) {
+[[gnu::cold]] void remove_leftovers(const std::string& folder) {
   for (int number = 0; number < kMostNames; ++number) {
     const std::string name = temporary_name(folder, number);
     if (::access(name.c_str(), F_OK) != 0) return;
@@ -52,7 +52,7 @@ void remove_leftovers(const std::string& folder) {
 }
 
 // Whether it is the path that is to blame, and not the disk.
-bool is_of_the_path(int error) {
+[[gnu::cold]] bool is_of_the_path(int error) {
   switch (error) {
     case ENOENT:
     case ENOTDIR:
@@ -70,17 +70,17 @@ bool is_of_the_path(int error) {
   }
 }
 
-std::string message_of(const std::string& path, std::string_view reason) {
+[[gnu::cold]] std::string message_of(const std::string& path, std::string_view reason) {
   return text(path, ": cannot be written: ", reason, ".");
 }
 
-Status write_failed(const std::string& path, int error) {
+[[gnu::cold]] Status write_failed(const std::string& path, int error) {
   Status status = Status::bad_input(message_of(path, std::generic_category().message(error)));
   status.code = StatusCode::write_failed;
   return status;
 }
 
-Status refuse(const std::string& path, int error) {
+[[gnu::cold]] Status refuse(const std::string& path, int error) {
   Status status = write_failed(path, error);
   if (is_of_the_path(error)) status.code = StatusCode::bad_input;
   return status;

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/new_file.h"
 #include "base/text.h"
+#include "cellsweep/engine/new_file.h"
 
 namespace cellsweep {
 namespace {
@@ -94,8 +94,8 @@ struct Timeline::Rows {
   };
 
   explicit Rows(const std::string& file_path) : path(file_path), opened(file.open(path)) {}
-  Status write();
-  void write_events(std::ostream& out);
+  [[gnu::cold]] Status write();
+  [[gnu::cold]] void write(std::ostream& out);
 
   std::mutex mutex;
   std::string path;
@@ -165,20 +165,23 @@ Status Timeline::Rows::write() {
   if (!is_whole) throw std::bad_alloc();
   FileBuffer buffer(file);
   std::ostream out(&buffer);
-  write_events(out);
+  write(out);
   out.flush();
   if (!buffer.status().ok()) return buffer.status();
   if (!out.good()) throw std::bad_alloc();  // the one thing that streams swallow
   return file.commit();
 }
 
-void Timeline::Rows::write_events(std::ostream& out) {
+void Timeline::Rows::write(std::ostream& out) {
   std::vector<const Span*> in_order;
   in_order.reserve(spans.size());
   for (const Span& span : spans) in_order.push_back(&span);
-  std::sort(in_order.begin(), in_order.end(), [](const Span* a, const Span* b) {
+  const auto is_before = [](const Span* a, const Span* b) {
     return std::tuple(a->begin, b->end, a) < std::tuple(b->begin, a->end, b);
-  });
+  };
+  // Sorts as sort() does, in a third of its code.
+  std::make_heap(in_order.begin(), in_order.end(), is_before);
+  std::sort_heap(in_order.begin(), in_order.end(), is_before);
   out << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n";
   for (unsigned row = 0; row < names.size(); ++row) {
     const unsigned thread = kHostRows + row;

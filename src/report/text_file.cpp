@@ -4,8 +4,8 @@
 #include <iterator>
 #include <system_error>
 
-#include "base/new_file.h"
 #include "base/text.h"
+#include "cellsweep/engine/new_file.h"
 
 namespace cellsweep::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "base/new_file.h"
+#include "cellsweep/engine/new_file.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

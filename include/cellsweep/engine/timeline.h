@@ -23,14 +23,14 @@ class CELLSWEEP_API Timeline {
 
   /// The timeline that goes to `path`: one for all who name it. Errors: bad_option for a file that cannot be
   /// written, write_failed for a disk that says no.
-  static Result<std::shared_ptr<Timeline>> open(const std::string& path);
+  [[gnu::cold]] static Result<std::shared_ptr<Timeline>> open(const std::string& path);
 
   /// What became of those that were written since the last call: ok, or why the first one was lost.
   /// Destructors have no other way to say it. std::bad_alloc where one was lost for want of memory.
-  static Status take_failure();
+  [[gnu::cold]] static Status take_failure();
 
-  explicit Timeline(const std::string& path);
-  ~Timeline();
+  [[gnu::cold]] explicit Timeline(const std::string& path);
+  [[gnu::cold]] ~Timeline();
   Timeline(const Timeline&) = delete;
   Timeline& operator=(const Timeline&) = delete;
 
@@ -47,7 +47,7 @@ class CELLSWEEP_API Timeline {
   friend class TimelineSpan;
   struct Rows;
 
-  void note_lost_span() noexcept;
+  [[gnu::cold]] void note_lost_span() noexcept;
 
   std::unique_ptr<Rows> rows_;
 };

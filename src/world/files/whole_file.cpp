@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "base/new_file.h"
+#include "cellsweep/engine/new_file.h"
 #include "world/files/file_fault.h"
 
 namespace cellsweep {

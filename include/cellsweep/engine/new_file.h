@@ -1,5 +1,6 @@
 /// @file
-/// Writes files whole: under its name there is the file of before or the new one, never a part of one.
+/// Writes files whole: under its name there is the file of before or the new one, never a part of one. For
+/// the libraries of the project, all of which write that way.
 #pragma once
 
 #include <string>
@@ -28,23 +29,23 @@ class CELLSWEEP_API NewFile {
 
   /// Called once, first. Errors: bad_input for a path that cannot be written to, such as a folder or a
   /// read-only file; write_failed for a disk that says no.
-  Status open(const std::string& path);
+  [[gnu::cold]] Status open(const std::string& path);
 
   /// Errors of these: write_failed, with the path in front. After one the file is forgotten.
-  Status write(std::string_view bytes);
-  Status commit();
+  [[gnu::cold]] Status write(std::string_view bytes);
+  [[gnu::cold]] Status commit();
 
  private:
   struct Target;
 
-  Status look_at_target(Target& target) const;
-  Status open_file();
-  bool open_named();
-  bool take_name();
-  bool keep_owner_and_mode(const Target& target) const;
-  bool publish(const Target& target);
-  Status fail(int error);
-  void forget();
+  [[gnu::cold]] Status look_at_target(Target& target) const;
+  [[gnu::cold]] Status open_file();
+  [[gnu::cold]] bool open_named();
+  [[gnu::cold]] bool take_name();
+  [[gnu::cold]] bool keep_owner_and_mode(const Target& target) const;
+  [[gnu::cold]] bool publish(const Target& target);
+  [[gnu::cold]] Status fail(int error);
+  [[gnu::cold]] void forget();
 
   std::string path_;    // as it was given
   std::string target_;  // where it leads
