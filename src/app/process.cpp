@@ -56,7 +56,7 @@ __attribute__((no_sanitize("address", "thread", "undefined"))) void prepare_for_
   std::set_new_handler(end_without_memory);
   std::set_terminate(end_of_an_exception);
 }
-[[gnu::section(".preinit_array"), gnu::used]] void (*const first_call)() = prepare_for_want_of_memory;
+[[gnu::section(".preinit_array"), gnu::used]] void (*const kFirstCall)() = prepare_for_want_of_memory;
 
 }  // namespace
 
