@@ -53,7 +53,7 @@ class WantOfMemory : public testing::Test {
 };
 
 TEST_F(WantOfMemory, EndsTheCommandInWordsAtItsStart) {
-  fail_from(1, 197, "engines");
+  fail_from(1, 197, "--version");
 }
 
 TEST_F(WantOfMemory, EndsARunInWords) {
