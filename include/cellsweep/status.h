@@ -25,6 +25,7 @@ enum class StatusCode {
   bad_option,      ///< an unknown engine, or a setting out of its range
   bad_input,       ///< arguments or a file that contradict themselves
   spe_failed,      ///< an SPE of a Cell engine broke a rule or could not be started; the message says which
+  write_failed,    ///< a file could not be written, for want of room or by a fault of the disk
 };
 
 /// The outcome of a call. When it is not ok, the call changed nothing.

@@ -7,9 +7,9 @@
 #include "base/text.h"
 #include "report/experiment/experiment_page.h"
 #include "report/experiment/findings.h"
+#include "report/folder_lock.h"
 #include "report/gnuplot.h"
 #include "report/interrupt.h"
-#include "report/text_file.h"
 
 namespace cellsweep::app {
 namespace {
@@ -34,7 +34,8 @@ struct ExperimentCommand {
     settings.simulated_frames = quick ? kQuickSimulatedFrames : kSimulatedFrames;
     if (quick) settings.simulated_most_bodies = kQuickSimulatedBodies;
     if (const Status status = report::find_gnuplot(); !status.ok()) return complain(status);
-    if (const Status status = report::make_folder(out); !status.ok()) return complain(status);
+    report::FolderLock folder;
+    if (const Status status = folder.take(out); !status.ok()) return complain(status);
     const report::InterruptScope interrupts;
     const auto results = report::run_experiment(settings);
     if (!results) return complain(results.status());

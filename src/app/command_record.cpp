@@ -48,6 +48,7 @@ struct Record {
   Result<FrameFile> write(FrameSource& source, std::size_t frames, const Aabb& world) const {
     if (std::filesystem::path(out).extension() == ".npz") {
       Trace trace = record_trace(source, frames);
+      if (const Status status = source.status(); !status.ok()) return status;
       if (const Status status = write_trace(trace, out); !status.ok()) return status;
       return FrameFile(std::move(trace));
     }

@@ -8,10 +8,10 @@
 #include "app/scene_flags.h"
 #include "base/text.h"
 #include "cellsweep/world/frame_file.h"
+#include "report/folder_lock.h"
 #include "report/interrupt.h"
 #include "report/picture/picture.h"
 #include "report/progress.h"
-#include "report/text_file.h"
 
 namespace cellsweep::app {
 namespace {
@@ -51,9 +51,11 @@ struct Render {
   }
 
   static Status go_to(FrameSource& source, std::size_t& at, std::size_t frame) {
+    if (Status status = source.status(); !status.ok()) return status;
     report::Progress progress("render, on the way to frame", frame);
     for (; at < frame; ++at) {
-      if (!source.advance()) return unreached_frame_status(frame, at);
+      if (!source.advance())
+        return source.status().ok() ? unreached_frame_status(frame, at) : source.status();
       progress.show(at);
     }
     return {};
@@ -82,7 +84,8 @@ struct Render {
 
   // OUT/00012.png and so on, as tools that make films of pictures want them.
   Status draw_all(FrameSource& source, const Aabb& world, std::size_t& drawn) const {
-    if (Status status = report::make_folder(out); !status.ok()) return status;
+    report::FolderLock folder;
+    if (Status status = folder.take(out); !status.ok()) return status;
     report::Progress progress("pictures", range.count());
     std::size_t at = 0;
     for (std::size_t wanted = range.first; wanted <= range.last && !report::is_interrupted(); ++wanted) {

@@ -1,5 +1,5 @@
 /// @file
-/// The command's two ways out: results on standard output, complaints on standard error.
+/// The command's two ways out: results on standard output, complaints on standard error; and its end.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -23,8 +23,13 @@ void say(const std::string& sentence);
 /// goes with it.
 ExitCode complain(const Status& status);
 
-/// The exit code of a command that is done; when it was interrupted, kInterrupted, once standard error says
-/// that and what became of the rest.
+/// The exit code of a command that is done; when it was interrupted, kInterrupted or kTerminated, once
+/// standard error says that and what became of the rest.
 ExitCode end_with(ExitCode code, const std::string& when_interrupted);
+
+/// The exit code of the whole program, when all that it made is gone: a good one becomes kOutputLost, or
+/// another for what is wrong, once standard error says what did not reach standard output or a timeline's
+/// file.
+int end_of_program(int code);
 
 }  // namespace cellsweep::app

@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/help_format.h"
 #include "app/output.h"
+#include "app/process.h"
 #include "app/suggestion.h"
 #include "app/wrap.h"
 #include "base/text.h"
@@ -28,7 +29,8 @@ constexpr const char* kFooter =
     "  cellsweep view --scene paper --engine cell-resident\n"
     "Exit codes: 0 good, 1 results differ from the oracle, 2 bad usage or input,\n"
     "3 over an engine's capacity, 4 an SPE failed, 5 no display for view,\n"
-    "130 stopped by Ctrl-C, with what there was by then.";
+    "6 output was lost, 7 no more memory; 130 stopped by Ctrl-C and 143 by SIGTERM,\n"
+    "with what there was by then.";
 
 std::string joined(const std::vector<std::string>& words) {
   std::string all;
@@ -58,8 +60,6 @@ class Program {
       return complain_of(fault_of_rest());
     } catch (const CLI::ParseError& error) {
       return error.get_exit_code() == 0 ? program_.exit(error) : complain_of(error.what());
-    } catch (const std::exception& error) {
-      return complain_of(error.what());
     }
     return exit_code_;
   }
@@ -117,7 +117,14 @@ class Program {
 }  // namespace
 
 int run_program(int argc, char** argv) {
-  return Program().run(argc, argv);
+  try {
+    const int code = Program().run(argc, argv);
+    return end_of_program(code);
+  } catch (const std::exception& error) {
+    if (is_want_of_memory(error)) end_without_memory();
+    say(error.what());
+    return kBadUsage;
+  }
 }
 
 }  // namespace cellsweep::app

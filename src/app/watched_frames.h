@@ -25,6 +25,7 @@ class WatchedFrames final : public FrameSource {
   std::span<const BodyId> moved() const override { return frames_.moved(); }
   std::span<const BodyId> inserted() const override { return frames_.inserted(); }
   std::span<const BodyId> removed() const override { return frames_.removed(); }
+  Status status() const override { return frames_.status(); }
   bool advance() override {
     if (report::is_interrupted() || !frames_.advance()) return false;
     progress_.show(++done_);

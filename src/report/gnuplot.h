@@ -2,7 +2,8 @@
 /// Finds and runs gnuplot.
 #pragma once
 
-#include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "cellsweep/status.h"
 
@@ -11,8 +12,9 @@ namespace cellsweep::report {
 /// Errors: bad_input, with what to install, when there is no gnuplot that starts.
 Status find_gnuplot();
 
-/// Runs a script, in the folder that it lies in. Errors: bad_input, with the script's path, when gnuplot ends
-/// with an error; what it says goes to standard error.
-Status run_gnuplot(const std::filesystem::path& script);
+/// What a script draws on standard output. `name` is for messages, `end` what a whole picture ends with.
+/// Errors: bad_input when gnuplot ends with an error, or leaves less than a whole picture; write_failed when
+/// there is no room for it in memory.
+Result<std::string> run_gnuplot(const std::string& name, std::string_view script, std::string_view end);
 
 }  // namespace cellsweep::report

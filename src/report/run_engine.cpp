@@ -41,6 +41,7 @@ class Run {
 
  private:
   Status first_frame() {
+    if (Status status = source_.status(); !status.ok()) return status;
     const auto time = timed([&] { return insert_all(engine_, source_, settings_.shape); });
     if (!time) return time.status();
     report_.initial_ms = *time;
@@ -56,7 +57,7 @@ class Run {
       report_.update_ms.push_back(*time);
       progress.show(frame_);
     }
-    return {};
+    return source_.status();
   }
 
   /// Milliseconds of one frame's work, once it is reported.

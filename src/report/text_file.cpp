@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "base/text.h"
+#include "cellsweep/engine/new_file.h"
 
 namespace cellsweep::report {
 namespace {
@@ -16,11 +17,7 @@ Status file_status(const std::filesystem::path& path, std::string_view what) {
 }  // namespace
 
 Status write_text_file(const std::filesystem::path& path, std::string_view bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (file.fail()) return file_status(path, "the file cannot be written");
-  return {};
+  return write_new_file(path.string(), bytes);
 }
 
 Result<std::string> read_text_file(const std::filesystem::path& path) {

@@ -10,8 +10,8 @@
 
 namespace cellsweep::report {
 
-/// Writes the bytes as they are, over what was there. Errors: bad_input, with the path, for a disk that says
-/// no.
+/// Writes the bytes as they are, in the place of what was there, whole or not at all. Errors, with the path:
+/// bad_input where nothing can be written, write_failed for a disk that says no.
 Status write_text_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// The bytes of a file. Errors: bad_input, with the path.

@@ -80,6 +80,7 @@ class Trial {
 
 Result<std::vector<VerifyReport>> verify_engines(std::span<FedEngine> engines, FrameSource& source,
                                                  std::size_t updates) {
+  if (Status status = source.status(); !status.ok()) return status;
   Trial trial(engines, source);
   if (Status status = trial.insert(); !status.ok()) return status;
   Progress progress("verify", updates);
@@ -89,6 +90,7 @@ Result<std::vector<VerifyReport>> verify_engines(std::span<FedEngine> engines, F
     if (frame == updates || is_interrupted() || !source.advance()) break;
     if (Status status = trial.change(); !status.ok()) return status;
   }
+  if (Status status = source.status(); !status.ok()) return status;
   return trial.reports();
 }
 

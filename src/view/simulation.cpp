@@ -47,6 +47,7 @@ Status Simulation::begin(const SimulationSettings& settings) {
     bounds = live->bounds();
     source = std::move(*scene);
   }
+  if (Status status = source->status(); !status.ok()) return status;
   if (Status status = start_engine(settings, *source); !status.ok()) return status;
   source_ = std::move(source);
   live_ = live;
@@ -73,7 +74,7 @@ Status Simulation::start_engine(const SimulationSettings& settings, const FrameS
 }
 
 Status Simulation::step() {
-  if (!source_->advance()) return restart();
+  if (!source_->advance()) return source_->status().ok() ? restart() : source_->status();
   const auto frame =
       report::time_frame(engine_, [&] { return report::hand_over_changes(engine_, *source_, shape()); });
   if (!frame) return frame.status();

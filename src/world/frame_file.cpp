@@ -3,50 +3,57 @@
 #include <utility>
 
 #include "geometry/bounds.h"
+#include "world/files/recorded_frames.h"
 #include "world/recording_frames.h"
 
 namespace cellsweep {
 
+using InMemory = std::shared_ptr<const Recording>;
+using InFile = std::shared_ptr<const RecordedFrames>;
+using Changes = std::shared_ptr<const Trace>;
+
 FrameFile::FrameFile(Recording recording)
     : content_(std::make_shared<const Recording>(std::move(recording))) {}
+FrameFile::FrameFile(RecordedFrames recorded)
+    : content_(std::make_shared<const RecordedFrames>(std::move(recorded))) {}
 FrameFile::FrameFile(Trace trace) : content_(std::make_shared<const Trace>(std::move(trace))) {}
 
-const Recording* FrameFile::recording() const {
-  const auto* recording = std::get_if<std::shared_ptr<const Recording>>(&content_);
-  return recording == nullptr ? nullptr : recording->get();
-}
-
-const Trace* FrameFile::trace() const {
-  const auto* trace = std::get_if<std::shared_ptr<const Trace>>(&content_);
-  return trace == nullptr ? nullptr : trace->get();
-}
-
 std::size_t FrameFile::ids() const {
-  return trace() != nullptr ? trace()->ids() : recording()->bodies;
+  if (const auto* recording = std::get_if<InMemory>(&content_)) return (*recording)->bodies;
+  if (const auto* recorded = std::get_if<InFile>(&content_)) return (*recorded)->bodies();
+  return std::get<Changes>(content_)->ids();
 }
 
 std::size_t FrameFile::frames() const {
-  return trace() != nullptr ? trace()->frames() : recording()->frames();
+  return std::visit([](const auto& content) { return content->frames(); }, content_);
 }
 
 Aabb FrameFile::world() const {
-  if (recording() != nullptr) return recording()->world;
+  if (const auto* recording = std::get_if<InMemory>(&content_)) return (*recording)->world;
+  if (const auto* recorded = std::get_if<InFile>(&content_)) return (*recorded)->world();
   Bounds bounds;
-  for (const auto list : boxes()) {
-    for (const Aabb& box : list) bounds.include(box);
-  }
+  const Trace& trace = *std::get<Changes>(content_);
+  for (const Aabb& box : trace.inserted_boxes) bounds.include(box);
+  for (const Aabb& box : trace.moved_boxes) bounds.include(box);
   return bounds.box();
 }
 
-std::array<std::span<const Aabb>, 2> FrameFile::boxes() const {
-  if (recording() != nullptr) return {recording()->boxes, {}};
-  return {trace()->inserted_boxes, trace()->moved_boxes};
+Status FrameFile::for_each_box(const std::function<void(const Aabb&)>& look) const {
+  if (const auto* recorded = std::get_if<InFile>(&content_)) return (*recorded)->for_each_box(look);
+  if (const auto* recording = std::get_if<InMemory>(&content_)) {
+    for (const Aabb& box : (*recording)->boxes) look(box);
+    return {};
+  }
+  const Trace& trace = *std::get<Changes>(content_);
+  for (const Aabb& box : trace.inserted_boxes) look(box);
+  for (const Aabb& box : trace.moved_boxes) look(box);
+  return {};
 }
 
 std::unique_ptr<FrameSource> FrameFile::make_source() const {
-  if (const auto* trace = std::get_if<std::shared_ptr<const Trace>>(&content_))
-    return make_trace_frames(*trace);
-  return make_recording_frames(std::get<std::shared_ptr<const Recording>>(content_));
+  if (const auto* recording = std::get_if<InMemory>(&content_)) return make_recording_frames(*recording);
+  if (const auto* recorded = std::get_if<InFile>(&content_)) return make_recorded_frames(*recorded);
+  return make_trace_frames(std::get<Changes>(content_));
 }
 
 Result<FrameFile> read_frame_file(const std::filesystem::path& path) {
@@ -55,9 +62,10 @@ Result<FrameFile> read_frame_file(const std::filesystem::path& path) {
     if (!trace) return trace.status();
     return FrameFile(std::move(*trace));
   }
-  Result<Recording> recording = read_recording(path);
-  if (!recording) return recording.status();
-  return FrameFile(std::move(*recording));
+  Result<RecordedFrames> recorded = RecordedFrames::open(path);
+  if (!recorded) return recorded.status();
+  if (Status status = recorded->check(); !status.ok()) return status;
+  return FrameFile(std::move(*recorded));
 }
 
 }  // namespace cellsweep

@@ -61,6 +61,7 @@ Result<Recording> record(FrameSource& source, std::size_t updates, const Aabb& w
   for (std::size_t update = 0; update < updates && source.advance(); ++update) {
     append_frame(recording, source.boxes());
   }
+  if (Status status = source.status(); !status.ok()) return status;
   return recording;
 }
 

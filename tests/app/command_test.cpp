@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -206,6 +208,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "--threads is 5000; at most 1,024"},
         Refusal{"ThreadsBeyondNumbers", "simulate --engine stream --threads 99999999999999999999999", 2,
                 "at most 1,024"},
+        Refusal{"ThreadsByTheBillion", "verify --engine stream --threads 4000000000", 2,
+                "--threads is 4000000000; at most 1,024"},
         Refusal{"NegativeThreads", "simulate --engine stream --threads -1", 2, "--threads is \"-1\""},
         Refusal{"ThreadsOfAPicture", "render --out a.png --threads 1025", 2, "0 to 1,024"},
         Refusal{"PictureOfAnotherKind", "render --out scene.jpg", 2, "scene.jpg"},
@@ -246,6 +250,39 @@ TEST(Command, RefusesATruncatedRecordingAndNamesThePlace) {
   const CommandResult result = run_command("replay " + scratch.path("short.aabbs"));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.errors, HasSubstr("short.aabbs"));
+}
+
+TEST(Command, RefusesAHundredGigabytesOfNothingAtOnce) {
+  const ScratchFolder scratch;
+  for (const std::string name : {"hole.aabbs", "hole.npy", "hole.npz"}) {
+    std::error_code error;
+    std::ofstream(scratch.path(name)) << "";
+    std::filesystem::resize_file(scratch.path(name), 100'000'000'000, error);
+    if (error) GTEST_SKIP() << "no room for a file with a hole";
+    const CommandResult result = run_command("replay " + scratch.path(name));
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.errors, AllOf(HasSubstr(name + ": "), HasSubstr("expected")));
+  }
+}
+
+// Ten boxes in each of four million frames, all zeros: 1.3 GB, of which an address space of 0.3 GB has room
+// for little.
+TEST(Command, ReplaysARecordingThatIsLargerThanItsMemory) {
+#if defined(CELLSWEEP_SANITIZED_TESTS) || defined(CELLSWEEP_EMULATED_TESTS)
+  GTEST_SKIP() << "a sanitizer, and an emulator, needs the addresses for itself";
+#endif
+  const ScratchFolder scratch;
+  const std::string file = scratch.path("long.aabbs");
+  std::string head(304, '\0');
+  head[256] = 10;
+  constexpr std::uint32_t kUpdates = 3'999'999;
+  for (std::size_t i = 0; i < 4; ++i) head[260 + i] = static_cast<char>(kUpdates >> (8 * i) & 0xff);
+  std::ofstream(file, std::ios::binary) << head;
+  std::filesystem::resize_file(file, 304 + std::uintmax_t{32} * 10 * (kUpdates + 1));
+  const CommandResult result =
+      run_command("replay " + file + " --engine stream --frames 5 --json", "ulimit -v 300000;");
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(Json::parse(result.output)["engines"][0]["reports"][0]["pairs"], 45);
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -100,6 +104,20 @@ TEST(ExperimentCommandWithoutGnuplot, SaysWhatToInstallBeforeItMeasures) {
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.errors, HasSubstr("gnuplot-nox"));
   EXPECT_THAT(result.output, IsEmpty());
+}
+
+TEST(ExperimentCommandFolder, IsForOneAtATime) {
+  if (!has_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
+  const ScratchFolder scratch;
+  const std::string out = scratch.path("out");
+  std::filesystem::create_directory(out);
+  const int other = open(out.c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(other, LOCK_EX), 0);
+  const CommandResult result = run_command("experiment --quick --bodies 32 --frames 1 --out " + out);
+  close(other);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr(out + ": another cellsweep writes there now"));
+  EXPECT_TRUE(std::filesystem::is_empty(out));
 }
 
 TEST(ExperimentCommandSettings, AreRefusedInWords) {

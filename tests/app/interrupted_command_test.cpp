@@ -19,6 +19,7 @@ using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
 constexpr int kInterrupted = 130;
+constexpr int kTerminated = 143;
 constexpr const char* kForEver = " --frames 100000000 ";
 
 std::string contents(const std::string& path) {
@@ -86,6 +87,19 @@ TEST_F(CtrlC, LeavesThePicturesThatWereDrawn) {
                 "pictures: "),
       kInterrupted);
   EXPECT_TRUE(std::filesystem::exists(out + "/00000.png"));
+}
+
+TEST(Sigterm, LeavesTheFramesThatWereSimulatedAndAWholeTimeline) {
+  const ScratchFolder scratch;
+  OnTerminal run("simulate --bodies 20 --json --engine stream --trace " + scratch.path("t.json") + kForEver,
+                 scratch.path("output"));
+  ASSERT_TRUE(run.wait_for("stream: ")) << run.shown();
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("t.json"))) << "until it is whole";
+  run.terminate();
+  EXPECT_EQ(run.exit_code(), kTerminated);
+  EXPECT_THAT(run.shown(), HasSubstr("Stopped by SIGTERM."));
+  EXPECT_GT(Json::parse(contents(scratch.path("output")))["engines"][0]["frames"], 0);
+  EXPECT_FALSE(Json::parse(contents(scratch.path("t.json")))["traceEvents"].empty());
 }
 
 TEST(Terminal, ShowsNoProgressOfWhatIsDoneAtOnce) {

@@ -62,6 +62,10 @@ void OnTerminal::press_ctrl_c() const {
   [[maybe_unused]] const ssize_t written = write(terminal_, &kKey, 1);
 }
 
+void OnTerminal::terminate() const {
+  kill(process_, SIGTERM);
+}
+
 int OnTerminal::exit_code() {
   while (read_more()) {
   }

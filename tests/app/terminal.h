@@ -23,6 +23,9 @@ class OnTerminal {
   /// What the key does, as often as it is pressed.
   void press_ctrl_c() const;
 
+  /// SIGTERM, as of a system that goes down.
+  void terminate() const;
+
   /// Waits for the end, and gives the exit code; -1 for one that was ended by a signal.
   int exit_code();
 

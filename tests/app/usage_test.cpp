@@ -43,6 +43,7 @@ TEST(Usage, HasExamplesAndExitCodes) {
   EXPECT_THAT(result.output, HasSubstr("Examples:"));
   EXPECT_THAT(result.output, HasSubstr("Exit codes: 0 good, 1 results differ"));
   EXPECT_THAT(result.output, HasSubstr("130 stopped by Ctrl-C"));
+  EXPECT_THAT(result.output, HasSubstr("6 output was lost, 7 no more memory"));
   expect_to_fit(result.output, "cellsweep");
 }
 

@@ -35,6 +35,15 @@ TEST(Interrupt, EndsTheProgramTheSecondTimeAndOutsideOfScopes) {
   EXPECT_TRUE(has_default_handler());
 }
 
+TEST(Interrupt, IsASigtermToo) {
+  const InterruptScope scope;
+  EXPECT_EQ(interrupt_signal(), 0);
+  std::raise(SIGTERM);
+  EXPECT_TRUE(is_interrupted());
+  EXPECT_EQ(interrupt_signal(), SIGTERM);
+  EXPECT_STREQ(interrupt_name(), "SIGTERM");
+}
+
 TEST(Interrupt, StaysIgnoredWhereItWas) {
   std::signal(SIGINT, SIG_IGN);
   {

@@ -102,13 +102,10 @@ TEST(FrameFile, GivesFramesOfRecordingsAndTraces) {
   const FrameFile trace(three_bodies_and_two_more());
   EXPECT_EQ(trace.ids(), 6U);
   EXPECT_EQ(trace.frames(), 3U);
-  EXPECT_NE(trace.trace(), nullptr);
-  EXPECT_EQ(trace.recording(), nullptr);
   EXPECT_THAT(trace.make_source()->bodies(), ElementsAre(0, 1, 2));
   const FrameFile recording(Recording{"two", "", {}, 2, {cube(0), cube(1), cube(0), cube(2)}});
   EXPECT_EQ(recording.ids(), 2U);
   EXPECT_EQ(recording.frames(), 2U);
-  EXPECT_EQ(recording.trace(), nullptr);
   EXPECT_THAT(recording.make_source()->boxes(), ElementsAre(cube(0), cube(1)));
   EXPECT_THAT(read_frame_file("none.aabbs"), RefusedWith(testing::HasSubstr("none.aabbs")));
   EXPECT_THAT(read_frame_file("none.npz"), RefusedWith(testing::HasSubstr("none.npz")));

@@ -14,18 +14,23 @@ namespace cellsweep {
 
 using TimelineTime = std::chrono::steady_clock::time_point;
 
-/// The timeline of one file, written when the last engine that named the file goes. Any thread.
+/// The timeline of one file, written when the last engine that named the file goes, whole or not at all. Any
+/// thread.
 class CELLSWEEP_API Timeline {
  public:
   /// Writes the SPEs' rows: events of Chrome's trace format, a comma behind each; times from `origin`.
   using SpeRows = void (*)(std::ostream& out, TimelineTime origin);
 
   /// The timeline that goes to `path`: one for all who name it. Errors: bad_option for a file that cannot be
-  /// written.
-  static Result<std::shared_ptr<Timeline>> open(const std::string& path);
+  /// written, write_failed for a disk that says no.
+  [[gnu::cold]] static Result<std::shared_ptr<Timeline>> open(const std::string& path);
 
-  explicit Timeline(const std::string& path);
-  ~Timeline();
+  /// What became of those that were written since the last call: ok, or why the first one was lost.
+  /// Destructors have no other way to say it. std::bad_alloc where one was lost for want of memory.
+  [[gnu::cold]] static Status take_failure();
+
+  [[gnu::cold]] explicit Timeline(const std::string& path);
+  [[gnu::cold]] ~Timeline();
   Timeline(const Timeline&) = delete;
   Timeline& operator=(const Timeline&) = delete;
 
@@ -39,7 +44,10 @@ class CELLSWEEP_API Timeline {
   void add(unsigned row, std::string name, TimelineTime begin, TimelineTime end);
 
  private:
+  friend class TimelineSpan;
   struct Rows;
+
+  [[gnu::cold]] void note_lost_span() noexcept;
 
   std::unique_ptr<Rows> rows_;
 };

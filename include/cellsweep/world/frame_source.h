@@ -12,6 +12,7 @@
 #include "cellsweep/filter.h"
 #include "cellsweep/pair.h"
 #include "cellsweep/pose.h"
+#include "cellsweep/status.h"
 
 namespace cellsweep {
 
@@ -53,8 +54,11 @@ class CELLSWEEP_API FrameSource {
   virtual std::span<const BodyId> inserted() const { return {}; }
   virtual std::span<const BodyId> removed() const { return {}; }
 
-  /// Goes to the next frame; false, and no change, when there is none.
+  /// Goes to the next frame; false, and no change, when there is none, or status() says why it cannot be had.
   virtual bool advance() = 0;
+
+  /// Not ok when frame 0, or the next one, cannot be had, as of a file that cannot be read any more.
+  virtual Status status() const { return {}; }
 
  private:
   mutable std::vector<BodyId> all_;  // what bodies() hands out unless it is overridden

@@ -46,7 +46,8 @@ CELLSWEEP_API Result<Recording> parse_npy(std::span<const std::byte> file);
 CELLSWEEP_API Result<Recording> read_recording(const std::filesystem::path& path);
 
 /// Writes a file by its ending, .aabbs or .npy (float32), whole or not at all. Errors: bad_input for another
-/// ending, a name too long, no frames, or a disk that says no.
+/// ending, a path that cannot be written to, a name too long or no frames; write_failed for a disk that says
+/// no.
 CELLSWEEP_API Status write_recording(const Recording& recording, const std::filesystem::path& path);
 
 /// Stores what a source gives: frame 0 and up to `updates` more. Errors: bad_input for a source whose bodies

@@ -55,7 +55,8 @@ CELLSWEEP_API Result<Trace> parse_npz(std::span<const std::byte> file);
 CELLSWEEP_API Result<Trace> read_trace(const std::filesystem::path& path);
 
 /// Writes a .npz file, whole or not at all; the same trace gives the same bytes. Errors: bad_input for
-/// another ending, a trace that parse_npz() would refuse, or a disk that says no.
+/// another ending, a path that cannot be written to or a trace that parse_npz() would refuse; write_failed
+/// for a disk that says no.
 CELLSWEEP_API Status write_trace(const Trace& trace, const std::filesystem::path& path);
 
 /// Stores what a source tells: frame 0 and up to `updates` more.

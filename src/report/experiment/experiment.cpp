@@ -128,7 +128,7 @@ class Experiment {
       made += place.runs.size();
       wanted += place.simulated ? 1 : results_.settings.repetitions;
     }
-    results_.interrupted = text("Stopped by Ctrl-C when ", made, " of ", wanted,
+    results_.interrupted = text("Stopped by ", interrupt_name(), " when ", made, " of ", wanted,
                                 " runs were done; there is nothing here of the others.");
   }
 

@@ -209,14 +209,27 @@ std::string context_html(const ExperimentResults& results) {
           html_list(entries));
 }
 
+// Draws the picture and writes it to a file; gives its bytes.
+Result<std::string> draw_as(Drawing drawing, const Figure& figure, const ExperimentResults& results,
+                            const std::filesystem::path& file) {
+  constexpr std::string_view kEndOfPng("IEND\xae\x42\x60\x82", 8);
+  auto picture = run_gnuplot(file.string(), drawing_script(figure, results, drawing),
+                             drawing == Drawing::svg ? "</svg>\n\n" : kEndOfPng);
+  if (!picture) return picture.status();
+  if (Status status = write_text_file(file, *picture); !status.ok()) return status;
+  return picture;
+}
+
+// Gives the SVG picture.
 Result<std::string> draw_figure(const Figure& figure, const ExperimentResults& results,
                                 const std::filesystem::path& folder) {
   const auto file = [&](const char* ending) { return folder / (std::string(figure.id) + ending); };
   if (Status status = write_text_file(file(".csv"), figure_csv(figure, results)); !status.ok()) return status;
   if (Status status = write_text_file(file(".gnuplot"), figure_script(figure, results)); !status.ok())
     return status;
-  if (Status status = run_gnuplot(file(".gnuplot")); !status.ok()) return status;
-  return read_text_file(file(".svg"));
+  const auto png = draw_as(Drawing::png, figure, results, file(".png"));
+  if (!png) return png.status();
+  return draw_as(Drawing::svg, figure, results, file(".svg"));
 }
 
 }  // namespace

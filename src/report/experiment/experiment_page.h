@@ -13,8 +13,8 @@ namespace cellsweep::report {
 Status draw_scene(const ExperimentSettings& settings, bool quick, const std::filesystem::path& path);
 
 /// Writes ID.csv, ID.gnuplot, ID.svg and ID.png of every figure with a curve, and report.html, which shows
-/// `picture` (a PNG file; none if empty). The folder must be there. Errors: bad_input for a disk that says no
-/// or a gnuplot that fails.
+/// `picture` (a PNG file; none if empty). The folder must be there. Errors: those of write_text_file(), and
+/// bad_input for a gnuplot that fails.
 Status write_experiment(const ExperimentResults& results, const std::filesystem::path& folder,
                         const std::filesystem::path& picture);
 

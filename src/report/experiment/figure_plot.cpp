@@ -71,29 +71,44 @@ constexpr std::string_view kLook =
     "set key outside right center Left reverse samplen 2.5 spacing 1.3 width -3\n"
     "set bars 0.6\n";
 
-}  // namespace
+constexpr std::string_view kSvg =
+    "set terminal svg size 900,480 font 'Helvetica,Arial,sans-serif,14' background '#ffffff'\n";
+constexpr std::string_view kPng =
+    "set terminal pngcairo size 1350,720 font 'sans,14' fontscale 1.15 linewidth 1.4 background "
+    "'#ffffff'\n";
 
-std::string figure_script(const Figure& figure, const ExperimentResults& results) {
+// What is drawn, whatever on.
+std::string subject_of(const Figure& figure, const ExperimentResults& results) {
   const auto curves = curves_of(figure, results);
-  std::string script =
-      text("# Draws ", figure.id, ".svg and ", figure.id, ".png: gnuplot ", figure.id, ".gnuplot\n");
-  std::string plot = "plot \\\n";
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    script += data_block(*curves[i], i, figure.measure);
-    plot += plot_entry(*curves[i], i) + (i + 1 < curves.size() ? ", \\\n" : "\n");
-  }
+  std::string script;
+  for (std::size_t i = 0; i < curves.size(); ++i) script += data_block(*curves[i], i, figure.measure);
   script += kLook;
   script += size_tics(results.settings.bodies);
   script += "set title " + in_quotes(figure.title) + "\n";
   script += "set xlabel 'boxes in the world'\n";
-  script += text("set ylabel ", in_quotes(text(figure.y_label, ", logarithmic")), "\n");
-  script += "set terminal svg size 900,480 font 'Helvetica,Arial,sans-serif,14' background '#ffffff'\n";
-  script += text("set output ", in_quotes(std::string(figure.id) + ".svg"), "\n", plot, "unset output\n");
-  script +=
-      "set terminal pngcairo size 1350,720 font 'sans,14' fontscale 1.15 linewidth 1.4 background "
-      "'#ffffff'\n";
-  script += text("set output ", in_quotes(std::string(figure.id) + ".png"), "\n", plot, "unset output\n");
-  return script;
+  return script + text("set ylabel ", in_quotes(text(figure.y_label, ", logarithmic")), "\n");
+}
+
+std::string plot_of(const Figure& figure, const ExperimentResults& results) {
+  const auto curves = curves_of(figure, results);
+  std::string plot = "plot \\\n";
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    plot += plot_entry(*curves[i], i) + (i + 1 < curves.size() ? ", \\\n" : "\n");
+  return plot;
+}
+
+}  // namespace
+
+std::string figure_script(const Figure& figure, const ExperimentResults& results) {
+  const std::string plot = plot_of(figure, results);
+  const auto file = [&](const char* ending) { return in_quotes(std::string(figure.id) + ending); };
+  return text("# Draws ", figure.id, ".svg and ", figure.id, ".png: gnuplot ", figure.id, ".gnuplot\n",
+              subject_of(figure, results), kSvg, "set output ", file(".svg"), "\n", plot, "unset output\n",
+              kPng, "set output ", file(".png"), "\n", plot, "unset output\n");
+}
+
+std::string drawing_script(const Figure& figure, const ExperimentResults& results, Drawing drawing) {
+  return text(subject_of(figure, results), drawing == Drawing::svg ? kSvg : kPng, plot_of(figure, results));
 }
 
 }  // namespace cellsweep::report

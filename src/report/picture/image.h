@@ -22,7 +22,7 @@ struct Image {
 /// The bytes of a PNG file of a picture with at least one pixel. The same picture gives the same bytes.
 std::string png_of(const Image& image);
 
-/// Writes a PNG file. Errors: bad_input, with the path, for a disk that says no.
+/// Writes a PNG file, whole or not at all. Errors: those of write_text_file().
 Status write_png(const Image& image, const std::filesystem::path& path);
 
 }  // namespace cellsweep::report

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <system_error>
 #include <thread>
 
 #include "base/text.h"
@@ -49,15 +50,22 @@ class Tracer {
   Image trace() {
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::thread> others;
-    for (unsigned i = 1; i < (settings_.threads == 0 ? cores : settings_.threads); ++i) {
-      others.emplace_back([this] { trace_rows([](unsigned) {}); });
-    }
+    start(others, (settings_.threads == 0 ? cores : settings_.threads) - 1);
     trace_rows(settings_.row_done);
     for (std::thread& other : others) other.join();
     return std::move(image_);
   }
 
  private:
+  // Where the system gives no more of them, those that there are do it all.
+  void start(std::vector<std::thread>& threads, unsigned count) {
+    threads.reserve(count);
+    try {
+      while (threads.size() < count) threads.emplace_back([this] { trace_rows([](unsigned) {}); });
+    } catch (const std::system_error&) {
+    }
+  }
+
   void trace_rows(const std::function<void(unsigned)>& row_done) {
     for (unsigned row = next_row_++; row < settings_.height; row = next_row_++) {
       for (unsigned column = 0; column < settings_.width; ++column) trace_pixel(column, row);

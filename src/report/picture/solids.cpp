@@ -108,11 +108,19 @@ Solids::Solids(std::vector<Solid> solids) : solids_(std::move(solids)) {
   rtcAttachGeometry(scene_, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(scene_);
+  if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) {
+    release();
+    throw std::bad_alloc();
+  }
 }
 
 Solids::~Solids() {
   const InsideEmbree inside(this);
-  rtcReleaseScene(scene_);
+  release();
+}
+
+void Solids::release() {
+  if (scene_ != nullptr) rtcReleaseScene(scene_);
   rtcReleaseDevice(device_);
 }
 

@@ -56,6 +56,8 @@ class Solids {
   bool is_blocked(const Ray& ray) const;
 
  private:
+  void release();  // what Embree gave
+
   static void tell_bounds(const RTCBoundsFunctionArguments* arguments);
   static void intersect(const RTCIntersectFunctionNArguments* arguments);
   static void occlude(const RTCOccludedFunctionNArguments* arguments);

@@ -66,20 +66,19 @@ BodyPose shown_pose(const FrameSource& source, BodyId body) {
   return source.poses().empty() ? pose_of(source.boxes()[body]) : source.poses()[body];
 }
 
+// A file that cannot be read any more tells that with its frames.
 Aabb stage_of(const FrameFile& file) {
   const Aabb world = file.world();
   Bounds bounds;
   bool has_walls = false;
-  for (const auto list : file.boxes()) {
-    for (const Aabb& box : list) {
-      if (is_wall(box, world)) {
-        has_walls = true;
-      } else {
-        bounds.include(box);
-      }
+  const Status status = file.for_each_box([&](const Aabb& box) {
+    if (is_wall(box, world)) {
+      has_walls = true;
+    } else {
+      bounds.include(box);
     }
-  }
-  return has_walls && !bounds.empty() ? bounds.box() : world;
+  });
+  return status.ok() && has_walls && !bounds.empty() ? bounds.box() : world;
 }
 
 }  // namespace cellsweep::report

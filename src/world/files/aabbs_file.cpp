@@ -4,6 +4,7 @@
 #include <limits>
 #include <string_view>
 
+#include "world/files/box_file.h"
 #include "world/files/bytes.h"
 #include "world/files/file_fault.h"
 #include "world/recording_check.h"
@@ -80,29 +81,28 @@ Status parse_world(Bytes file, Aabb& world) {
   return fault_at(kWorldOffset + place, fault->expected + " of the world", fault->found);
 }
 
-Status parse_boxes(Bytes file, const BoxBlock& block, std::vector<Aabb>& boxes) {
-  boxes.resize(block.frames * block.bodies);
+Status load_aabbs(Bytes bytes, const BoxBlock& block, std::uint64_t first, std::span<Aabb> boxes) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     std::size_t place = 0;
-    const auto fault = parse_box(file, kHeaderBytes + i * kBoxBytes, boxes[i], place);
-    if (fault) return box_fault_at(block, i, place, *fault);
+    const auto fault = parse_box(bytes, i * kBoxBytes, boxes[i], place);
+    if (fault) return box_fault_at(block, first + i, place, *fault);
   }
   return {};
 }
 
-Status parse_header(Bytes file, Recording& recording, BoxBlock& block) {
-  if (file.size() < kHeaderBytes) {
-    return fault_at(file.size(), "a header of 304 bytes", "the end of the file");
+Status parse_header(Bytes begin, std::uint64_t file_bytes, BoxFile& head) {
+  if (begin.size() < kHeaderBytes) {
+    return fault_at(begin.size(), "a header of 304 bytes", "the end of the file");
   }
-  Status status = parse_text(file, kNameOffset, "a name", recording.name);
-  if (status.ok()) status = parse_text(file, kTypeOffset, "a type", recording.type);
-  if (status.ok()) status = parse_count(file, kBodiesOffset, "a number of bodies", block.bodies);
-  if (status.ok()) status = parse_count(file, kFramesOffset, "a number of frames", block.frames);
-  if (status.ok()) status = check_reserved(file);
+  Status status = parse_text(begin, kNameOffset, "a name", head.name);
+  if (status.ok()) status = parse_text(begin, kTypeOffset, "a type", head.type);
+  if (status.ok()) status = parse_count(begin, kBodiesOffset, "a number of bodies", head.block.bodies);
+  if (status.ok()) status = parse_count(begin, kFramesOffset, "a number of frames", head.block.frames);
+  if (status.ok()) status = check_reserved(begin);
   // The header counts the updates; frame 0 is stored before them.
-  block.frames += 1;
-  if (status.ok()) status = check_file_size(block, file.size());
-  if (status.ok()) status = parse_world(file, recording.world);
+  head.block.frames += 1;
+  if (status.ok()) status = check_file_size(head.block, file_bytes);
+  if (status.ok()) status = parse_world(begin, head.world.emplace());
   return status;
 }
 
@@ -146,14 +146,20 @@ void append_box(std::vector<std::byte>& bytes, const Aabb& box) {
 
 }  // namespace
 
+Result<BoxFile> parse_aabbs_head(std::span<const std::byte> begin, std::uint64_t file_bytes) {
+  BoxFile head;
+  head.block = {.offset = kHeaderBytes, .box_bytes = kBoxBytes};
+  if (Status status = parse_header(begin, file_bytes, head); !status.ok()) return status;
+  head.load = [block = head.block](Bytes bytes, std::uint64_t first, std::span<Aabb> boxes) {
+    return load_aabbs(bytes, block, first, boxes);
+  };
+  return head;
+}
+
 Result<Recording> parse_aabbs(std::span<const std::byte> file) {
-  Recording recording;
-  BoxBlock block{.offset = kHeaderBytes, .box_bytes = kBoxBytes};
-  Status status = parse_header(file, recording, block);
-  if (status.ok()) status = parse_boxes(file, block, recording.boxes);
-  if (!status.ok()) return status;
-  recording.bodies = block.bodies;
-  return recording;
+  const Result<BoxFile> head = parse_aabbs_head(file, file.size());
+  if (!head) return head.status();
+  return load_all(*head, file);
 }
 
 Result<std::vector<std::byte>> aabbs_bytes(const Recording& recording) {

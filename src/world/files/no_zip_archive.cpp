@@ -19,6 +19,10 @@ Result<std::vector<ZipMember>> read_zip(std::span<const std::byte>) {
   return no_libzip();
 }
 
+Result<std::vector<ZipMember>> read_zip_file(const std::string&, std::uint64_t) {
+  return no_libzip();
+}
+
 Result<std::vector<std::byte>> zip_bytes(std::span<const ZipMember>) {
   return no_libzip();
 }

@@ -1,8 +1,9 @@
 #include "world/files/npy_file.h"
 
 #include <array>
+#include <utility>
 
-#include "geometry/bounds.h"
+#include "world/files/box_file.h"
 #include "world/files/file_fault.h"
 #include "world/files/npy_header.h"
 #include "world/files/npy_numbers.h"
@@ -29,25 +30,29 @@ Status check_header(const NpyHeader& header) {
 
 }  // namespace
 
-Result<Recording> parse_npy(std::span<const std::byte> file) {
-  const Result<NpyHeader> header = parse_npy_header(file);
+Result<BoxFile> parse_npy_head(std::span<const std::byte> begin, std::uint64_t file_bytes) {
+  Result<NpyHeader> header = parse_npy_header(begin);
   if (!header) return header.status();
   if (Status status = check_header(*header); !status.ok()) return status;
-  const BoxBlock block{.offset = header->data_offset,
-                       .box_bytes = 6 * header->bytes(),
-                       .frames = header->shape[0],
-                       .bodies = header->shape[1]};
-  if (Status status = check_file_size(block, file.size()); !status.ok()) return status;
+  BoxFile head;
+  head.block = {.offset = header->data_offset,
+                .box_bytes = 6 * header->bytes(),
+                .frames = header->shape[0],
+                .bodies = header->shape[1]};
+  if (Status status = check_file_size(head.block, file_bytes); !status.ok()) return status;
+  head.load = [block = head.block, header = std::move(*header)](
+                  std::span<const std::byte> bytes, std::uint64_t first, std::span<Aabb> boxes) -> Status {
+    const auto bad = load_boxes(bytes, header, boxes);
+    if (!bad) return {};
+    return box_fault_at(block, first + bad->box, bad->fault.corner * header.bytes(), bad->fault);
+  };
+  return head;
+}
 
-  Recording recording;
-  recording.bodies = block.bodies;
-  recording.boxes.resize(block.frames * block.bodies);
-  if (const auto bad = load_boxes(file, *header, recording.boxes))
-    return box_fault_at(block, bad->box, bad->fault.corner * header->bytes(), bad->fault);
-  Bounds bounds;
-  for (const Aabb& box : recording.boxes) bounds.include(box);
-  recording.world = bounds.box();
-  return recording;
+Result<Recording> parse_npy(std::span<const std::byte> file) {
+  const Result<BoxFile> head = parse_npy_head(file, file.size());
+  if (!head) return head.status();
+  return load_all(*head, file);
 }
 
 Result<std::vector<std::byte>> npy_bytes(const Recording& recording) {

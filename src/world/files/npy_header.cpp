@@ -15,6 +15,8 @@ using Bytes = std::span<const std::byte>;
 constexpr std::string_view kMagic = "\x93NUMPY";
 constexpr std::size_t kVersionOffset = 6;
 constexpr std::size_t kLengthOffset = 8;
+/// That of an array of numbers has a hundred; what is read of a file at first has room for this.
+constexpr std::size_t kMostLength = 1'000'000;
 
 /// A byte order, a kind of number, and its bytes.
 bool is_known_type(std::string_view type) {
@@ -134,6 +136,10 @@ Status find_dictionary(Bytes file, std::size_t& begin, std::size_t& length) {
   if (file.size() < begin) return ends_early(file, "the length of the header");
   length = major == 1 ? load_word<std::uint16_t, ByteOrder::little>(file, kLengthOffset)
                       : load_word<std::uint32_t, ByteOrder::little>(file, kLengthOffset);
+  if (length > kMostLength) {
+    return fault_at(kLengthOffset, "a header of at most " + std::to_string(kMostLength) + " bytes",
+                    "one of " + std::to_string(length));
+  }
   if (file.size() - begin >= length) return {};
   return ends_early(file,
                     "a header of " + std::to_string(length) + " bytes from byte " + std::to_string(begin));

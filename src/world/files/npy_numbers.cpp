@@ -51,9 +51,8 @@ std::uint64_t load_bytes(Bytes numbers, std::size_t offset, std::size_t bytes, B
 
 }  // namespace
 
-std::optional<FaultyBox> load_boxes(std::span<const std::byte> file, const NpyHeader& header,
+std::optional<FaultyBox> load_boxes(std::span<const std::byte> numbers, const NpyHeader& header,
                                     std::span<Aabb> boxes) {
-  const Bytes numbers = file.subspan(header.data_offset);
   const bool little = header.order() == ByteOrder::little;
   if (header.bytes() == 4) {
     return little ? load_boxes_of<float, ByteOrder::little>(numbers, boxes)

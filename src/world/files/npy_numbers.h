@@ -22,9 +22,9 @@ struct FaultyBox {
   BoxFault fault;
 };
 
-/// Boxes of six float32 or float64 each, which are rounded to the nearest; the file is long enough. Stops at
-/// the first that is not finite with min <= max.
-std::optional<FaultyBox> load_boxes(std::span<const std::byte> file, const NpyHeader& header,
+/// Boxes of six float32 or float64 each, which are rounded to the nearest, from the first number on; there
+/// are as many. Stops at the first that is not finite with min <= max.
+std::optional<FaultyBox> load_boxes(std::span<const std::byte> numbers, const NpyHeader& header,
                                     std::span<Aabb> boxes);
 
 /// As many whole numbers, of any kind of integer or of truth values; the file is long enough. Errors:

@@ -71,10 +71,8 @@ Status in_array(std::string_view name, Status status) {
   return status;
 }
 
-Status NpzArrays::read(std::span<const std::byte> file) {
-  Result<std::vector<ZipMember>> members = read_zip(file);
-  if (!members) return members.status();
-  for (ZipMember& member : *members) {
+Status NpzArrays::take_all(std::vector<ZipMember> members) {
+  for (ZipMember& member : members) {
     if (Status status = take(std::move(member)); !status.ok()) return status;
   }
   const bool has_filters = std::any_of(arrays_.begin() + kOfEveryTrace, arrays_.end(),

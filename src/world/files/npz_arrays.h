@@ -39,7 +39,7 @@ Status in_array(std::string_view name, Status status);
 class NpzArrays {
  public:
   /// Errors: bad_input, with the array's name in front where it is of one.
-  Status read(std::span<const std::byte> file);
+  Status take_all(std::vector<ZipMember> members);
 
   const NpzArray& operator[](std::string_view name) const { return arrays_[place_of(name)]; }
 

@@ -4,6 +4,7 @@
 #include "cellsweep/world/recording.h"
 #include "world/files/aabbs_file.h"
 #include "world/files/npy_file.h"
+#include "world/files/recorded_frames.h"
 #include "world/files/whole_file.h"
 
 namespace cellsweep {
@@ -11,17 +12,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One kind of file: its ending and its two directions.
+/// One kind of file: its ending and what is in it.
 struct Format {
   std::string_view ending;
-  Result<Recording> (*parse)(std::span<const std::byte>);
   Result<std::vector<std::byte>> (*bytes)(const Recording&);
-  bool named;  ///< whether the file holds a name
 };
 
 constexpr std::array<Format, 2> kFormats = {{
-    {".aabbs", parse_aabbs, aabbs_bytes, true},
-    {".npy", parse_npy, npy_bytes, false},
+    {".aabbs", aabbs_bytes},
+    {".npy", npy_bytes},
 }};
 
 const Format* find_format(const fs::path& path) {
@@ -44,14 +43,9 @@ Status unknown_ending(const fs::path& path) {
 }  // namespace
 
 Result<Recording> read_recording(const std::filesystem::path& path) {
-  const Format* format = find_format(path);
-  if (format == nullptr) return unknown_ending(path);
-  const Result<std::vector<std::byte>> bytes = read_file(path);
-  if (!bytes) return bytes.status();
-  Result<Recording> recording = format->parse(*bytes);
-  if (!recording) return with_path(path, recording.status());
-  if (!format->named) recording->name = path.stem().string();
-  return recording;
+  const auto recorded = RecordedFrames::open(path);
+  if (!recorded) return recorded.status();
+  return recorded->read_all();
 }
 
 Status write_recording(const Recording& recording, const std::filesystem::path& path) {

@@ -1,11 +1,14 @@
 #include <array>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "cellsweep/world/trace.h"
 #include "world/files/file_fault.h"
+#include "world/files/input_file.h"
 #include "world/files/npy_numbers.h"
 #include "world/files/npz_arrays.h"
 #include "world/files/whole_file.h"
@@ -35,7 +38,7 @@ Status load(const NpzArrays& arrays, std::string_view name, std::uint64_t most,
 Status load(const NpzArrays& arrays, std::string_view name, std::vector<Aabb>& boxes) {
   const NpzArray& array = arrays[name];
   boxes.resize(array.rows);
-  const auto bad = load_boxes(array.bytes, array.header, boxes);
+  const auto bad = load_boxes(std::span(array.bytes).subspan(array.header.data_offset), array.header, boxes);
   if (!bad) return {};
   const std::uint64_t offset = array.offset_of(bad->box) + bad->fault.corner * array.header.bytes();
   return in_array(name, fault_at(offset, bad->fault.expected, bad->fault.found));
@@ -153,15 +156,10 @@ Status with_file(const fs::path& path, const Status& status) {
   return refusal_of_file(path, status.message);
 }
 
-}  // namespace
-
-bool traces_have_files() {
-  return zip_is_there();
-}
-
-Result<Trace> parse_npz(std::span<const std::byte> file) {
+Result<Trace> trace_of(Result<std::vector<ZipMember>> members) {
+  if (!members) return members.status();
   NpzArrays arrays;
-  if (Status status = arrays.read(file); !status.ok()) return status;
+  if (Status status = arrays.take_all(std::move(*members)); !status.ok()) return status;
   Trace trace;
   if (Status status = load_all(arrays, trace); !status.ok()) return status;
   const auto fault = find_fault(trace);
@@ -171,11 +169,21 @@ Result<Trace> parse_npz(std::span<const std::byte> file) {
                        std::to_string(array.offset_of(fault->index)) + in_frame(*fault));
 }
 
+}  // namespace
+
+bool traces_have_files() {
+  return zip_is_there();
+}
+
+Result<Trace> parse_npz(std::span<const std::byte> file) {
+  return trace_of(read_zip(file));
+}
+
 Result<Trace> read_trace(const std::filesystem::path& path) {
   if (path.extension() != ".npz") return refusal_of_file(path, "expected a name that ends in .npz");
-  const Result<std::vector<std::byte>> bytes = read_file(path);
-  if (!bytes) return bytes.status();
-  Result<Trace> trace = parse_npz(*bytes);
+  const auto file = InputFile::open(path);
+  if (!file) return file.status();
+  Result<Trace> trace = trace_of(read_zip_file((*file)->path(), (*file)->size()));
   if (!trace) return with_file(path, trace.status());
   trace->name = path.stem().string();
   return trace;

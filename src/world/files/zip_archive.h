@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ bool zip_is_there();
 /// All members, their checksums compared. Errors: bad_input for what is no archive, or a broken one, or one
 /// that says it holds more than a thousand times its own size, which no compression does.
 Result<std::vector<ZipMember>> read_zip(std::span<const std::byte> archive);
+
+/// The same of a file of so many bytes, of which no more is read than is needed.
+Result<std::vector<ZipMember>> read_zip_file(const std::string& path, std::uint64_t bytes);
 
 /// The same members give the same bytes.
 Result<std::vector<std::byte>> zip_bytes(std::span<const ZipMember> members);
