@@ -106,11 +106,23 @@ struct GuardSignals {
     return wanted;
   }
 
-  static bool install() {
+  GuardSignals() {
     const struct sigaction wanted = action(&on_error);
     for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &wanted, &handlers_before[i]);
-    return true;
   }
+
+  /// A library that is unloaded must leave no handler behind; one that somebody put over it is his.
+  ~GuardSignals() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i) {
+      struct sigaction now {};
+      const bool is_own = sigaction(kSignals[i], nullptr, &now) == 0 && now.sa_sigaction == &on_error;
+      if (is_own) sigaction(kSignals[i], &handlers_before[i], nullptr);
+    }
+  }
+  GuardSignals(const GuardSignals&) = delete;
+  GuardSignals& operator=(const GuardSignals&) = delete;
+
+  static void install() { static const GuardSignals installed; }
 
   /// The highest real-time signal that nobody handles, from now on the timers'; 0 if there is none.
   static int install_timer_signal() {
@@ -124,8 +136,14 @@ struct GuardSignals {
   }
 
   static int timer_signal() {
-    static const int signal = install_timer_signal();
-    return signal;
+    struct TimerSignal {
+      int number = install_timer_signal();
+      ~TimerSignal() {
+        if (number != 0) ::signal(number, SIG_DFL);
+      }
+    };
+    static const TimerSignal timer;
+    return timer.number;
   }
 };
 
@@ -137,7 +155,7 @@ ProgramGuard::ProgramGuard(std::byte* stack_top_, Ended ended_, void* program_)
 
 GuardScope::GuardScope(ProgramGuard& guard, ProgramGuard::Time deadline) : outer_(running) {
   if (!kGuardsPrograms) return;
-  [[maybe_unused]] static const bool installed = GuardSignals::install();
+  GuardSignals::install();
   running = &guard;
   guard.deadline_ = deadline;
   stack_t stack{};

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/process.h"
 #include "base/text.h"
 #include "cellsweep/engine/new_file.h"
 
@@ -97,6 +98,7 @@ struct Timeline::Rows {
   [[gnu::cold]] Status write();
   [[gnu::cold]] void write(std::ostream& out);
 
+  ProcessMark process;
   std::mutex mutex;
   std::string path;
   NewFile file;
@@ -130,8 +132,10 @@ Status Timeline::take_failure() {
 
 Timeline::Timeline(const std::string& path) : rows_(std::make_unique<Rows>(path)) {}
 
+// In a child of fork() it is the parent's to write, which may have begun a file already.
 Timeline::~Timeline() {
-  if (!rows_->opened.ok()) return;
+  if (!rows_->process.is_this_process()) static_cast<void>(rows_.release());
+  if (!rows_ || !rows_->opened.ok()) return;
   try {
     failure().note(rows_->write());
   } catch (const std::bad_alloc&) {

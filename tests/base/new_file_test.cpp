@@ -44,7 +44,8 @@ class NewFileTest : public testing::Test {
     return text.str();
   }
 
-  fs::path folder_ = fs::path("new-files") / testing::UnitTest::GetInstance()->current_test_info()->name();
+  fs::path folder_ = fs::path(testing::TempDir()) / "cellsweep-new-files" /
+                     testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(NewFileTest, IsThereWhenItIsCommittedAndNotBefore) {

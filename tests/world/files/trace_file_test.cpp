@@ -34,7 +34,8 @@ class TraceFile : public testing::Test {
  protected:
   void SetUp() override {
     if (!traces_have_files()) GTEST_SKIP() << "a build without libzip";
-    folder_ = fs::path("trace-files") / testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::path(testing::TempDir()) / "cellsweep-trace-files" /
+              testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
@@ -236,7 +237,7 @@ TEST_F(TraceFile, WhoseFramesDoNotHoldTogetherIsRefusedWithTheByte) {
 std::string refusal_of(const std::function<void(Trace&)>& change) {
   Trace trace = three_bodies_and_two_more();
   change(trace);
-  return write_trace(trace, "trace-files/refused.npz").message;
+  return write_trace(trace, testing::TempDir() + "refused.npz").message;
 }
 
 TEST_F(TraceFile, WhoseBodiesComeAndGoWrongIsRefused) {
