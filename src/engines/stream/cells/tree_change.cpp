@@ -9,9 +9,10 @@
 namespace cellsweep::stream {
 namespace {
 
-/// Stops what would put boxes into too many cells.
+/// Stops what would put boxes into too many cells, or more than their places can be numbered.
 void check_visits(std::uint64_t visits, const Scratch& scratch) {
-  if (visits > scratch.most_copies) throw TooMuchWork();
+  constexpr std::uint64_t kMostPlaces = ~std::uint32_t{0};
+  if (visits > std::min(scratch.most_copies, kMostPlaces)) throw TooMuchWork();
 }
 
 /// The place of a body, which is not one of the first `from`.
