@@ -103,6 +103,8 @@ Status ResidentSpes::run() {
 
 Status ResidentSpes::obey(ResidentOrder order, std::uint32_t records) {
   if (!failure_.ok()) return failure_;
+  failure_ = group_->check_process();
+  if (!failure_.ok()) return failure_;
   unsigned word = resident_word(order, records);
   std::fill(answered_.begin(), answered_.end(), false);
   for (unsigned i = 0; i < size(); ++i) {

@@ -42,7 +42,13 @@ Result<std::unique_ptr<SpeGroup>> SpeGroup::make(unsigned count, spe_program_han
   return group;
 }
 
+// In a child of the process that started them there are no threads to wait for, and nothing may be told of
+// them.
 SpeGroup::~SpeGroup() {
+  if (!check_process().ok()) {
+    for (auto& spe : spes_) static_cast<void>(spe.release());
+    return;
+  }
   for (const auto& spe : spes_) {
     if (spe->thread.joinable()) spe->thread.join();
     if (spe->context != nullptr) spe_context_destroy(spe->context);
@@ -67,7 +73,14 @@ Status SpeGroup::load(unsigned index) {
   return failed(index, why.empty() ? words_of_error() : why);
 }
 
+Status SpeGroup::check_process() const {
+  if (getpid() == process_) return {};
+  return failed(0, text("it belongs to process ", process_, ", of which this one, ", getpid(),
+                        ", is a child; SPEs do not come along with fork(). Make the broadphase anew here."));
+}
+
 Status SpeGroup::run(std::span<void* const> jobs) {
+  if (Status status = check_process(); !status.ok()) return status;
   const Aside aside(*this);
   start(jobs);
   const TimelineSpan span("wait for SPEs to end");
@@ -101,6 +114,7 @@ void SpeGroup::run_program(Spe& spe, void* job) const {
 }
 
 Status SpeGroup::join() {
+  if (Status status = check_process(); !status.ok()) return status;
   Status first;
   for (unsigned i = 0; i < size(); ++i) {
     Spe& spe = *spes_[i];

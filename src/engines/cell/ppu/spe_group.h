@@ -3,6 +3,7 @@
 #pragma once
 
 #include <libspe2.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <memory>
@@ -64,8 +65,13 @@ class SpeGroup {
   /// The second half: waits until all programs have ended. Errors as run().
   Status join();
 
+  /// Fails, in words, in a child that fork() made of the process of these SPEs: their threads are not there.
+  Status check_process() const;
+
   /// True from start() until the program ended by itself, by a fault, or by exit. Safe to poll.
-  bool running(unsigned index) const { return spes_[index]->running.load(std::memory_order_acquire); }
+  bool running(unsigned index) const {
+    return spes_[index]->running.load(std::memory_order_acquire) && getpid() == process_;
+  }
 
   /// CPU time of the SPE in the last run, in milliseconds: the program without the start of its thread. 0
   /// when it was not among those that ran, and while it runs.
@@ -99,6 +105,7 @@ class SpeGroup {
   Status load(unsigned index);
   void run_program(Spe& spe, void* job) const;
 
+  const pid_t process_ = getpid();
   spe_program_handle_t& program_;
   std::shared_ptr<Emulation> emulation_;
   std::vector<std::unique_ptr<Spe>> spes_;
