@@ -3,7 +3,8 @@
  * Unless a function says otherwise it returns 0 (or what it names) and -1 with errno on error, or a null
  * pointer with errno; a null context, gang or handler is ESRCH, any other bad argument EINVAL. All functions
  * may be called from any thread; one context runs on one thread at a time. Sizes are in bytes, `ls` is an LS
- * address. */
+ * address. A context or handler is of the process that made it: in a child that fork() made it is ESRCH for
+ * all functions, and to destroy it is to forget it. */
 #ifndef SPU_EMU_LIBSPE2_H
 #define SPU_EMU_LIBSPE2_H
 

@@ -6,6 +6,7 @@
 #include <libspe2.h>
 
 #include <atomic>
+#include <cstdint>
 #include <deque>
 #include <mutex>
 
@@ -22,6 +23,13 @@ void forget_in_event_handlers(spe_context_ptr_t spe);
 /// The handler of library call 0x2100 + `number`, or null.
 using LibraryCall = int (*)(void* ls_base, unsigned int word_address);
 LibraryCall library_call(unsigned int number);
+
+/// Counts the forks between the first process and this one. A child has no thread of its parent's but one,
+/// and whatever another held locked stays locked there.
+std::uint64_t forks_before();
+
+/// Whether there is such a context and this process made it.
+bool is_here(spe_context_ptr_t spe);
 
 /// Sets errno and returns -1.
 inline int fail(int error) {
@@ -41,6 +49,7 @@ struct spe_context {
 
   bool events_enabled() const { return (flags & SPE_EVENTS_ENABLE) != 0; }
 
+  const std::uint64_t made_after_forks = spu_emu::forks_before();
   const unsigned int flags;
   spe_gang_context_ptr_t const gang;
   spu_emu::Spe spe;
@@ -50,5 +59,9 @@ struct spe_context {
   /// Proxy tags used and not yet reported done; under the proxy mutex.
   unsigned int used_tags = 0;
 };
+
+inline bool spu_emu::is_here(spe_context_ptr_t spe) {
+  return spe != nullptr && spe->made_after_forks == forks_before();
+}
 
 #endif

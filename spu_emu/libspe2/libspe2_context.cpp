@@ -1,4 +1,6 @@
 // libspe2: contexts, gangs, program images, areas and machine information.
+#include <pthread.h>
+
 #include <memory>
 #include <new>
 #include <thread>
@@ -66,8 +68,14 @@ spe_context_ptr_t spe_context_create_affinity(unsigned int flags, spe_context_pt
   return spe_context_create(flags, gang);
 }
 
+/// In a child of the process that made it, a context's locks may be held by threads that are not there: its
+/// memory is left to the child's end.
 int spe_context_destroy(spe_context_ptr_t spe) {
   if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) {
+    if (spe->gang != nullptr) spe->gang->members.fetch_sub(1);
+    return 0;
+  }
   if (spe->running.load()) return fail(EBUSY);
   spu_emu::forget_in_event_handlers(spe);
   if (spe->gang != nullptr) spe->gang->members.fetch_sub(1);
@@ -102,7 +110,7 @@ int spe_image_close(spe_program_handle_t* program) {
 }
 
 int spe_program_load(spe_context_ptr_t spe, spe_program_handle_t* program) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (program == nullptr) return fail(EINVAL);
   const spu_emu::ImageBytes image = spu_emu::image_bytes(*program);
   const int result = spu_emu::program_load(spe, image.bytes.data(), image.bytes.size());
@@ -111,14 +119,14 @@ int spe_program_load(spe_context_ptr_t spe, spe_program_handle_t* program) {
 }
 
 int spu_emu::program_load(spe_context_ptr_t spe, const void* image, std::size_t size) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (spe->running.load()) return fail(EBUSY);
   const int error = spe->spe.load({static_cast<const std::byte*>(image), size}, &spu_emu::load_program);
   return error == 0 ? 0 : fail(error);
 }
 
 void* spe_ls_area_get(spe_context_ptr_t spe) {
-  if (spe == nullptr) {
+  if (!spu_emu::is_here(spe)) {
     errno = ESRCH;
     return nullptr;
   }
@@ -126,13 +134,13 @@ void* spe_ls_area_get(spe_context_ptr_t spe) {
 }
 
 int spe_ls_size_get(spe_context_ptr_t spe) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   return static_cast<int>(spe->spe.store_size());
 }
 
 void* spe_ps_area_get(spe_context_ptr_t spe, enum ps_area area) {
   errno = 0;
-  if (spe == nullptr)
+  if (!spu_emu::is_here(spe))
     errno = ESRCH;
   else if (area_offset(area) == spu_emu::kProblemStateSize)
     errno = EINVAL;
@@ -151,11 +159,11 @@ int spe_cpu_info_get(int info_requested, int cpu_node) {
 }
 
 int spe_mssync_start(spe_context_ptr_t spe) {
-  return spe == nullptr ? fail(ESRCH) : 0;
+  return spu_emu::is_here(spe) ? 0 : fail(ESRCH);
 }
 
 int spe_mssync_status(spe_context_ptr_t spe) {
-  return spe == nullptr ? fail(ESRCH) : 0;
+  return spu_emu::is_here(spe) ? 0 : fail(ESRCH);
 }
 
 spu_emu::SpeStatistics spu_emu::statistics(spe_context_ptr_t spe) {
@@ -166,7 +174,19 @@ spu_emu::CycleProfile spu_emu::cycle_profile(spe_context_ptr_t spe) {
   return spe->spe.cycle_profile();
 }
 
+std::uint64_t spu_emu::forks_before() {
+  static std::atomic<std::uint64_t> forks{0};
+  [[maybe_unused]] static const int registered =
+      pthread_atfork(nullptr, nullptr, [] { forks.fetch_add(1, std::memory_order_relaxed); });
+  return forks.load(std::memory_order_relaxed);
+}
+
 std::string spu_emu::last_fault(spe_context_ptr_t spe) {
+  if (!is_here(spe)) {
+    return "the SPE belongs to the process that made it, of which this one is a child: SPEs do not come "
+           "along "
+           "with fork(); make new ones here";
+  }
   return spe->spe.last_fault();
 }
 

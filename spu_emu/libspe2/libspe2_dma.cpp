@@ -27,7 +27,7 @@ int with_proxy(spe_context_ptr_t spe, Use&& use) {
 
 int issue(spe_context_ptr_t spe, unsigned opcode, unsigned ls, void* ea, unsigned size, unsigned tag,
           unsigned tid, unsigned rid) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (tag >= kProxyTags || tid > kLargestId || rid > kLargestId) return fail(EINVAL);
   const Command command{opcode, tag, size, ls, reinterpret_cast<std::uintptr_t>(ea), {}};
   return with_proxy(spe, [&](CommandQueue& queue) {
@@ -81,7 +81,7 @@ int spe_mfcio_getf(spe_context_ptr_t spe, unsigned int ls, void* ea, unsigned in
 
 int spe_mfcio_tag_status_read(spe_context_ptr_t spe, unsigned int mask, unsigned int behavior,
                               unsigned int* tag_status) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (tag_status == nullptr || behavior < SPE_TAG_ALL || behavior > SPE_TAG_IMMEDIATE) return fail(EINVAL);
   return with_proxy(spe, [&](CommandQueue& queue) {
     const unsigned asked = mask != 0 ? mask : spe->used_tags;

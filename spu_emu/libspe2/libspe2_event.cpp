@@ -11,6 +11,7 @@ using spu_emu::fail;
 
 /// The events registered with a handler, one unit for each event of a context.
 struct EventHandler {
+  const std::uint64_t made_after_forks = spu_emu::forks_before();
   std::mutex mutex;
   std::vector<spe_event_unit_t> units;
 };
@@ -27,6 +28,10 @@ HandlerList& handler_list() {
 
 EventHandler* handler_of(spe_event_handler_ptr_t pointer) {
   return static_cast<EventHandler*>(pointer);
+}
+
+bool is_here(const EventHandler* handler) {
+  return handler != nullptr && handler->made_after_forks == spu_emu::forks_before();
 }
 
 /// In late mode a proxy command lands when somebody waits for its tag group.
@@ -66,8 +71,8 @@ int collect(EventHandler& handler, spe_event_unit_t* events, int max_events) {
 }
 
 int check_unit(const EventHandler* handler, const spe_event_unit_t* event) {
-  if (handler == nullptr) return fail(ESRCH);
-  if (event == nullptr || event->spe == nullptr) return fail(EINVAL);
+  if (!is_here(handler)) return fail(ESRCH);
+  if (event == nullptr || !spu_emu::is_here(event->spe)) return fail(EINVAL);
   if (!event->spe->events_enabled() || (event->events & ~unsigned{SPE_EVENT_ALL_EVENTS}) != 0)
     return fail(ENOTSUP);
   return 0;
@@ -107,6 +112,7 @@ spe_event_handler_ptr_t spe_event_handler_create(void) {
 int spe_event_handler_destroy(spe_event_handler_ptr_t evhandler) {
   if (evhandler == nullptr) return fail(ESRCH);
   EventHandler* handler = handler_of(evhandler);
+  if (!is_here(handler)) return 0;  // Left to the end of this process, a child: see spe_context_destroy.
   {
     const std::lock_guard lock(handler_list().mutex);
     handler_list().handlers.erase(handler);
@@ -143,7 +149,7 @@ int spe_event_handler_deregister(spe_event_handler_ptr_t evhandler, spe_event_un
 }
 
 int spe_event_wait(spe_event_handler_ptr_t evhandler, spe_event_unit_t* events, int max_events, int timeout) {
-  if (evhandler == nullptr) return fail(ESRCH);
+  if (!is_here(handler_of(evhandler))) return fail(ESRCH);
   if (events == nullptr || max_events <= 0) return fail(EINVAL);
   EventHandler& handler = *handler_of(evhandler);
   auto deadline = spu_emu::WaitPoint::Time::max();

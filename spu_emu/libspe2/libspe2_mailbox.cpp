@@ -10,7 +10,7 @@ using spu_emu::fail;
 template <class Move, class Ready>
 int transfer(spe_context_ptr_t spe, unsigned* data, int count, unsigned behavior, Move&& move,
              Ready&& ready) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (data == nullptr || count < 1 || behavior < SPE_MBOX_ALL_BLOCKING ||
       behavior > SPE_MBOX_ANY_NONBLOCKING) {
     return fail(EINVAL);
@@ -29,13 +29,13 @@ int transfer(spe_context_ptr_t spe, unsigned* data, int count, unsigned behavior
 }  // namespace
 
 int spe_out_mbox_read(spe_context_ptr_t spe, unsigned int* mbox_data, int count) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (mbox_data == nullptr || count < 1) return fail(EINVAL);
   return static_cast<int>(spe->spe.channels().read_out_mailbox(mbox_data, static_cast<unsigned>(count)));
 }
 
 int spe_out_mbox_status(spe_context_ptr_t spe) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   return static_cast<int>(spe->spe.channels().out_mailbox().count());
 }
 
@@ -49,7 +49,7 @@ int spe_in_mbox_write(spe_context_ptr_t spe, unsigned int* mbox_data, int count,
 }
 
 int spe_in_mbox_status(spe_context_ptr_t spe) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   return static_cast<int>(spe->spe.channels().in_mailbox().space());
 }
 
@@ -63,12 +63,12 @@ int spe_out_intr_mbox_read(spe_context_ptr_t spe, unsigned int* mbox_data, int c
 }
 
 int spe_out_intr_mbox_status(spe_context_ptr_t spe) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   return static_cast<int>(spe->spe.channels().out_interrupt_mailbox().count());
 }
 
 int spe_signal_write(spe_context_ptr_t spe, unsigned int signal_reg, unsigned int data) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (signal_reg != SPE_SIG_NOTIFY_REG_1 && signal_reg != SPE_SIG_NOTIFY_REG_2) return fail(EINVAL);
   spe->spe.channels().signal(signal_reg == SPE_SIG_NOTIFY_REG_1 ? 0 : 1, data);
   return 0;

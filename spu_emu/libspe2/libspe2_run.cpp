@@ -156,7 +156,7 @@ LibraryCall spu_emu::library_call(unsigned int number) {
 
 int spe_context_run(spe_context_ptr_t spe, unsigned int* entry, unsigned int runflags, void* argp, void* envp,
                     spe_stop_info_t* stopinfo) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (entry == nullptr || !spe->spe.loaded()) return fail(EINVAL);
   spe_stop_info_t unused{};
   spe_stop_info_t& info = stopinfo != nullptr ? *stopinfo : unused;
@@ -168,7 +168,7 @@ int spe_context_run(spe_context_ptr_t spe, unsigned int* entry, unsigned int run
 }
 
 int spe_stop_info_read(spe_context_ptr_t spe, spe_stop_info_t* stopinfo) {
-  if (spe == nullptr) return fail(ESRCH);
+  if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (!spe->events_enabled()) return fail(ENOTSUP);
   if (stopinfo == nullptr) return fail(EINVAL);
   const std::lock_guard lock(spe->stop_mutex);

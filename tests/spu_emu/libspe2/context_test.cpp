@@ -1,4 +1,7 @@
 // Contexts, gangs, areas and machine information.
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include "../host/test_context.h"
 
 namespace spu_emu {
@@ -95,6 +98,37 @@ TEST(Context, multisource_synchronisation_is_always_done) {
   TestContext context;
   EXPECT_EQ(spe_mssync_start(context.spe), 0);
   EXPECT_EQ(spe_mssync_status(context.spe), 0);
+}
+
+/// What a child finds with a context and a handler of its parent's: 0 if all is as it should be.
+int look_from_a_child(const TestContext& context, spe_event_handler_ptr_t handler) {
+  const auto is_esrch = [](int result) { return result == -1 && std::exchange(errno, 0) == ESRCH; };
+  unsigned int word = 0;
+  unsigned int entry = SPE_DEFAULT_ENTRY;
+  spe_event_unit_t event{SPE_EVENT_SPE_STOPPED, context.spe, {}};
+  if (!is_esrch(spe_context_run(context.spe, &entry, 0, nullptr, nullptr, nullptr))) return 1;
+  if (!is_esrch(spe_out_mbox_read(context.spe, &word, 1))) return 2;
+  if (!is_esrch(spe_event_wait(handler, &event, 1, -1))) return 3;
+  if (last_fault(context.spe).find("do not come along with fork()") == std::string::npos) return 4;
+  if (spe_event_handler_destroy(handler) != 0 || spe_context_destroy(context.spe) != 0) return 5;
+  TestContext own;
+  return own.exit_code(Probe::return_parameter, 6) == 6 ? 0 : 6;
+}
+
+TEST(Context, a_child_process_is_told_that_the_contexts_are_its_parent_s_and_can_make_its_own) {
+  TestContext context;
+  spe_event_handler_ptr_t handler = spe_event_handler_create();
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(60);
+    _exit(look_from_a_child(context, handler));
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(context.exit_code(Probe::return_parameter, 5), 5) << "the parent's go on";
+  EXPECT_EQ(spe_event_handler_destroy(handler), 0);
 }
 
 }  // namespace
