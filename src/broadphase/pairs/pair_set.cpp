@@ -6,7 +6,22 @@
 
 namespace cellsweep {
 
+void PairSet::give_back_room() {
+  constexpr std::size_t kKept = std::size_t{64} << 10;
+  const std::size_t pairs = pairs_.size() + began_.size() + ended_.size();
+  const std::size_t enough = 4 * pairs * sizeof(Pair) + kKept;
+  for (Array<Pair>* list : {&next_began_, &next_ended_, &whole_, &spare_}) {
+    if (list->bytes() > enough) *list = Array<Pair>();
+  }
+  for (Array<Pair>* list : {&began_, &ended_}) {
+    if (list->size() == 0 && list->bytes() > enough) *list = Array<Pair>();
+  }
+  if (notes_.empty() && notes_.bytes() > enough) notes_ = List<PairNote>();
+  pairs_.fit();
+}
+
 void PairSet::remember_changes() {
+  give_back_room();
   if (!listing_.waits()) return;
   if (std::exchange(only_began_, false)) {
     std::swap(pairs_, began_);

@@ -18,8 +18,8 @@ namespace cellsweep {
 /// as they are fewer than pairs. What throws std::bad_alloc has changed nothing that shows.
 class PairSet {
  public:
-  /// Makes room for new changes: the last ones will be needed to list all pairs. Before next_began() and
-  /// next_ended() are written.
+  /// Makes room for new changes: the last ones will be needed to list all pairs. Memory for many more pairs
+  /// than there are goes back. Before next_began() and next_ended() are written.
   void remember_changes();
 
   /// To be written by an update, ascending. Nothing of it shows before commit().
@@ -42,6 +42,7 @@ class PairSet {
   std::size_t bytes() const;
 
  private:
+  void give_back_room();
   void note_changes() const;
   void list_all() const;
 

@@ -331,5 +331,24 @@ TEST_P(PairSetWithoutMemory, HasTheSamePairsWhereverItFails) {
 
 INSTANTIATE_TEST_SUITE_P(Ways, PairSetWithoutMemory, testing::Values(0, 1, 2, 3));
 
+TEST(PairSet, GivesMemoryBackWhenPairsHaveGone) {
+  Pairs many;
+  for (BodyId id = 1; id <= 100'000; ++id) many.push_back({0, id});
+  for (const bool asked_for : {false, true}) {
+    PairSet set;
+    update(set, many, {});
+    update(set, {{1, 2}}, {});
+    if (asked_for) static_cast<void>(set.pairs());
+    update(set, {}, many);
+    if (asked_for) static_cast<void>(set.pairs());
+    for (int quiet = 0; quiet < 3; ++quiet) {
+      set.remember_changes();
+      set.commit_nothing();
+    }
+    EXPECT_LE(set.bytes(), std::size_t{512} << 10) << (asked_for ? "asked for" : "not asked for");
+    EXPECT_THAT(set.pairs(), ElementsAre(Pair{1, 2}));
+  }
+}
+
 }  // namespace
 }  // namespace cellsweep
