@@ -183,9 +183,8 @@ std::uint64_t spu_emu::forks_before() {
 
 std::string spu_emu::last_fault(spe_context_ptr_t spe) {
   if (!is_here(spe)) {
-    return "the SPE belongs to the process that made it, of which this one is a child: SPEs do not come "
-           "along "
-           "with fork(); make new ones here";
+    return "the SPE belongs to the process that made it, of which this one is a child: SPEs do not "
+           "come along with fork(); make new ones here";
   }
   return spe->spe.last_fault();
 }

@@ -63,7 +63,7 @@ class Crew {
   using Call = void (*)(const void*, unsigned);
 
   void run_all(Call call, const void* context);
-  double seconds_to_dispatch();
+  [[gnu::cold]] double seconds_to_dispatch();
 
   std::shared_ptr<Executor> executor_;
   unsigned workers_;

@@ -247,11 +247,4 @@ bool NewFile::take_name() {
   return false;
 }
 
-Status write_new_file(const std::string& path, std::string_view bytes) {
-  NewFile file;
-  if (Status status = file.open(path); !status.ok()) return status;
-  if (Status status = file.write(bytes); !status.ok()) return status;
-  return file.commit();
-}
-
 }  // namespace cellsweep

@@ -82,6 +82,12 @@ struct Start {
   std::size_t ended = 0;
 };
 
+// The order in which they came stays where the pair is the same.
+void sort_by_pairs(std::span<PairNote> notes) {
+  std::stable_sort(notes.begin(), notes.end(),
+                   [](const PairNote& one, const PairNote& other) { return one.key < other.key; });
+}
+
 }  // namespace
 
 template <class AnyPair>
@@ -145,8 +151,7 @@ void apply_changes(Crew& crew, std::span<const AnyPair> old, std::span<const Any
 
 template <class AnyPair>
 void apply_notes(std::span<const AnyPair> old, std::span<PairNote> notes, Array<AnyPair>& now) {
-  std::stable_sort(notes.begin(), notes.end(),
-                   [](const PairNote& one, const PairNote& other) { return one.key < other.key; });
+  sort_by_pairs(notes);
   now.renew(old.size() + notes.size());
   RunCopy copy(old, now.data());
   for (std::size_t i = 0; i < notes.size(); ++i) {

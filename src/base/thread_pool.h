@@ -26,14 +26,14 @@ class ThreadPool final : public Executor {
   explicit ThreadPool(unsigned concurrency);
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
-  ~ThreadPool() override;
+  [[gnu::cold]] ~ThreadPool() override;
 
   unsigned concurrency() const override { return concurrency_; }
   void run(unsigned count, Task task, void* context) override;
 
  private:
-  void leave_threads_of_parent();
-  void start_threads();
+  [[gnu::cold]] void leave_threads_of_parent();
+  [[gnu::cold]] void start_threads();
   void work();
   void do_tasks_left();
   void wait_for_others();

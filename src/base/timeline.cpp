@@ -94,7 +94,10 @@ struct Timeline::Rows {
     TimelineTime end;
   };
 
-  explicit Rows(const std::string& file_path) : path(file_path), opened(file.open(path)) {}
+  [[gnu::cold]] explicit Rows(const std::string& file_path) : path(file_path), opened(file.open(path)) {}
+  Rows(const Rows&) = delete;
+  Rows& operator=(const Rows&) = delete;
+  [[gnu::cold]] ~Rows();
   [[gnu::cold]] Status write();
   [[gnu::cold]] void write(std::ostream& out);
 
@@ -109,6 +112,8 @@ struct Timeline::Rows {
   std::vector<std::string> names;
   std::vector<Span> spans;
 };
+
+Timeline::Rows::~Rows() = default;
 
 Result<std::shared_ptr<Timeline>> Timeline::open(const std::string& path) {
   static std::mutex mutex;

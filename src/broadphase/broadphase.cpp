@@ -19,13 +19,17 @@ namespace cellsweep {
 /// Admission, engine and pairs. Everything that can fail happens before anything shows.
 class [[gnu::visibility("hidden")]] Broadphase::Impl {
  public:
-  Impl(HandleParts parts, std::unique_ptr<Engine> engine, std::shared_ptr<Timeline> timeline)
+  [[gnu::cold]] Impl(HandleParts parts, std::unique_ptr<Engine> engine, std::shared_ptr<Timeline> timeline)
       : parts_(std::move(parts)),
         timeline_(std::move(timeline)),
         engine_(std::move(engine)),
         capacity_(engine_->capacity()) {
     if (timeline_) row_ = {timeline_.get(), timeline_->add_row(parts_.row_name)};
   }
+
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  [[gnu::cold]] ~Impl();
 
   /// Around every call that computes.
   template <class Call>
@@ -107,7 +111,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   };
 
   Result<PairChanges> update_now();
-  Status renew_engine();
+  [[gnu::cold]] Status renew_engine();
   void name_changes(const FoundPairs& unfiltered);
   void tidy();
 
@@ -126,6 +130,8 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   std::size_t bytes_ = 0;  // of bodies and pairs
   Statistics statistics_;
 };
+
+Broadphase::Impl::~Impl() = default;
 
 Result<PairChanges> Broadphase::Impl::update_now() {
   pairs_.remember_changes();
@@ -180,7 +186,7 @@ void Broadphase::Impl::tidy() {
   }
 }
 
-Result<Broadphase> EngineAccess::make(HandleParts parts) {
+[[gnu::cold]] Result<Broadphase> EngineAccess::make(HandleParts parts) {
   const DefaultFloats floats;
   auto engine = parts.maker();
   if (!engine) return engine.status();

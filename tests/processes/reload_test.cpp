@@ -5,11 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
+#include "held.h"
 
 namespace cellsweep {
 namespace {
@@ -17,33 +13,6 @@ namespace {
 constexpr int kTimes = 1000;
 constexpr int kTimesToWarmUp = 50;
 constexpr unsigned kBodies = 20000;  // enough work for all threads
-
-std::size_t entries(const char* folder) {
-  return static_cast<std::size_t>(
-      std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
-}
-
-/// What a process has of its system.
-struct Held {
-  std::size_t threads = entries("/proc/self/task");
-  std::size_t files = entries("/proc/self/fd");
-  std::size_t mappings = count_lines("/proc/self/maps");
-  std::size_t kilobytes = resident_kilobytes();
-
-  static std::size_t count_lines(const char* path) {
-    std::ifstream file(path);
-    return static_cast<std::size_t>(
-        std::count(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>(), '\n'));
-  }
-  static std::size_t resident_kilobytes() {
-    std::ifstream file("/proc/self/status");
-    for (std::string word; file >> word;) {
-      std::size_t kilobytes = 0;
-      if (word == "VmRSS:" && file >> kilobytes) return kilobytes;
-    }
-    return 0;
-  }
-};
 
 void use_once(unsigned bodies) {
   void* plugin = dlopen(CELLSWEEP_PLUGIN, RTLD_NOW | RTLD_LOCAL);

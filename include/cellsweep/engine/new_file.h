@@ -56,6 +56,11 @@ class CELLSWEEP_API NewFile {
 };
 
 /// The bytes as a file of that path. Errors: those of NewFile.
-CELLSWEEP_API Status write_new_file(const std::string& path, std::string_view bytes);
+inline Status write_new_file(const std::string& path, std::string_view bytes) {
+  NewFile file;
+  if (Status status = file.open(path); !status.ok()) return status;
+  if (Status status = file.write(bytes); !status.ok()) return status;
+  return file.commit();
+}
 
 }  // namespace cellsweep

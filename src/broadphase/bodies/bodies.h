@@ -49,10 +49,10 @@ class Bodies {
 
   /// All bodies that an update has seen, and those that wait, as new ones: for an engine that knows none.
   /// Between begin_update() and its end.
-  BodyChanges all_as_new();
+  [[gnu::cold]] BodyChanges all_as_new();
 
   /// Of the bodies of the last update that are gone, ascending; one whose filter changed is not.
-  std::vector<BodyId> removed_ids() const;
+  [[gnu::cold]] std::vector<BodyId> removed_ids() const;
 
   /// Numbers slots anew when most are free; true when it did. All engines must begin anew then. Between
   /// updates, and only when nothing waits.

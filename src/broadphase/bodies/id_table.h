@@ -71,7 +71,7 @@ class IdTable {
 
   /// A table of the same bodies with slots 0 ... size() - 1; `before` becomes for each the slot that it had.
   /// Nothing may wait for release().
-  IdTable renumbered(Vector<Slot>& before) const;
+  [[gnu::cold]] IdTable renumbered(Vector<Slot>& before) const;
 
   BodyId id(Slot slot) const { return ids_[slot]; }
   /// By slot; of a free slot the id that it had.

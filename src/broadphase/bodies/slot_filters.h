@@ -47,7 +47,7 @@ class SlotFilters {
   void commit() { moves_.clear(); }
 
   /// Those of slots that are numbered anew: each gets what slot `before[slot]` had.
-  SlotFilters renumbered(std::span<const Slot> before) const {
+  [[gnu::cold]] SlotFilters renumbered(std::span<const Slot> before) const {
     SlotFilters filters;
     if (!in_use()) return filters;
     filters.filters_.reserve(before.size());

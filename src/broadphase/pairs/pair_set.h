@@ -42,7 +42,7 @@ class PairSet {
   std::size_t bytes() const;
 
  private:
-  void give_back_room();
+  [[gnu::cold]] void give_back_room();
   void note_changes() const;
   void list_all() const;
 

@@ -51,7 +51,7 @@ Status check(const StreamOptions& options) {
 
 }  // namespace
 
-Result<Broadphase> make_stream_broadphase(const StreamOptions& options, std::string_view name,
+[[gnu::cold]] Result<Broadphase> make_stream_broadphase(const StreamOptions& options, std::string_view name,
                                           FinderMaker make_finder, std::string row_name) {
   if (Status status = check(options); !status.ok()) return status;
   const auto crew = make_crew(options);
@@ -73,7 +73,7 @@ Result<Broadphase> make_stream_broadphase(const StreamOptions& options, std::str
 
 namespace cellsweep {
 
-Result<Broadphase> make_broadphase(const StreamOptions& options) {
+[[gnu::cold]] Result<Broadphase> make_broadphase(const StreamOptions& options) {
   return stream::make_stream_broadphase(options, "stream", nullptr, "stream");
 }
 

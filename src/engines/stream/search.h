@@ -62,7 +62,7 @@ class Search {
   /// Nobody is left.
   void clear();
   /// The cells stay; memory for work, what was found and prepared goes back.
-  void give_back();
+  [[gnu::cold]] void give_back();
 
   /// Valid until the next call.
   KeyParts found() const { return has_cells_ ? cells_->found() : KeyParts{&swept_view_, 1}; }

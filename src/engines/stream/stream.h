@@ -33,7 +33,7 @@ struct StreamParts {
 /// is found anew when that is expected to take less time. Memory is linear in bodies and pairs.
 class Stream final : public Engine, public HasFinder {
  public:
-  explicit Stream(StreamParts parts);
+  [[gnu::cold]] explicit Stream(StreamParts parts);
 
   Capacity capacity() const override;
   Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) override;
@@ -56,11 +56,11 @@ class Stream final : public Engine, public HasFinder {
   FoundPairs find_anew(const BodyChanges& changes, bool with_cells, PhaseTimer& timer);
   FoundPairs counted(const FoundPairs& found);
   void give_back_spare();
-  void forget_all();
+  [[gnu::cold]] void forget_all();
   std::size_t bytes_held() const { return fat_boxes_.bytes() + search_.bytes() + overlaps_.bytes(); }
   std::size_t most_bytes() const;
   void note_idle(Statistics& statistics);
-  void refresh_counters(Statistics& statistics);
+  [[gnu::cold]] void refresh_counters(Statistics& statistics);
 
   StreamParts parts_;
   Crew& crew_;

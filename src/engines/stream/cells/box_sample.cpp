@@ -50,7 +50,7 @@ AxisRange measure_axis(std::span<const Aabb> boxes, std::size_t axis) {
 }
 
 /// The same of all boxes, of which there are some. `minima` is working memory.
-AxisRange measure_axis(const Boxes& boxes, std::size_t axis, Vector<float>& minima) {
+[[gnu::cold]] AxisRange measure_axis(const Boxes& boxes, std::size_t axis, Vector<float>& minima) {
   minima.clear();
   for (std::size_t i = 0; i < boxes.count(); ++i) {
     const Aabb& box = boxes[i];
@@ -218,13 +218,13 @@ double Extents::copies(const std::array<double, 3>& density) const {
 
 namespace {
 
-std::size_t count_bodies(const Boxes& boxes) {
+[[gnu::cold]] std::size_t count_bodies(const Boxes& boxes) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < boxes.count(); ++i) count += boxes[i].min[0] <= boxes[i].max[0] ? 1 : 0;
   return count;
 }
 
-BoxSample look_at_all(const Boxes& boxes) {
+[[gnu::cold]] BoxSample look_at_all(const Boxes& boxes) {
   BoxSample sample;
   const std::size_t count = count_bodies(boxes);
   if (count == 0) return sample;

@@ -90,13 +90,13 @@ struct alignas(64) Scratch {
 class CellTree {
  public:
   /// `finder` finds the pairs of build(); null for the kernels to do so.
-  CellTree(Crew& crew, const Kernels& kernels, PieceFinder* finder = nullptr);
+  [[gnu::cold]] CellTree(Crew& crew, const Kernels& kernels, PieceFinder* finder = nullptr);
 
   /// No cells and no pairs; of the memory, what little the next build begins with is kept.
   void clear();
 
   /// The cells stay; memory for work and what was found goes back.
-  void give_back();
+  [[gnu::cold]] void give_back();
 
   /// From now on pairs must be allowed by these filters, by slot, which stay where they are until the next
   /// call of allow(); none: all are. find_partners() does not ask for them.

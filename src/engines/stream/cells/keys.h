@@ -27,7 +27,7 @@ class Keys : private KeyBuffer {
   /// Empties it; gives memory back when there was use for little of it.
   void clear();
   /// Empties it and gives all memory back.
-  void give_back();
+  [[gnu::cold]] void give_back();
 
   /// From now on pairs must be allowed by these filters, by slot; none: all are.
   void allow(std::span<const BodyFilter> filters) { filters_ = filters; }

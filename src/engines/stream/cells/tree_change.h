@@ -32,7 +32,7 @@ class TreeChanger {
   template <class Emit>
   void for_each_visit(const Visit& visit, const Grid& grid, Emit&& emit) const;
   void change_node(std::span<const Visit> visits, Node& node, Scratch& scratch) const;
-  void change_cell(std::span<Visit> visits, Cell& cell, Scratch& scratch) const;
+  [[gnu::noinline]] void change_cell(std::span<Visit> visits, Cell& cell, Scratch& scratch) const;
   void change_boxes(std::span<const Visit> visits, CellBoxes& cell, Scratch& scratch) const;
   void make_room(CellBoxes& cell, std::uint32_t more, Scratch& scratch) const;
   static std::span<Visit> merge(std::span<Visit> visits);

@@ -43,7 +43,7 @@ class CandidateList {
   /// of the list and some: forget_notes() makes it what it was then.
   void begin_notes(Crew& crew);
   bool note(std::span<const std::uint64_t> keys, bool are_there);
-  void forget_notes();
+  [[gnu::cold]] void forget_notes();
 
   /// Ascending.
   std::span<const SlotPair> pairs(Crew& crew);
@@ -51,7 +51,7 @@ class CandidateList {
   std::size_t size() const { return size_; }
 
   /// Gives memory back that the next call may ask for again.
-  void give_back(Crew& crew);
+  [[gnu::cold]] void give_back(Crew& crew);
 
   /// Bytes held.
   std::size_t bytes() const;

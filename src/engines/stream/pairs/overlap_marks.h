@@ -51,7 +51,7 @@ class OverlapMarks {
   void list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const;
 
   /// Gives memory back that the next call may ask for again.
-  void give_back();
+  [[gnu::cold]] void give_back();
 
   /// Bytes held.
   std::size_t bytes() const;

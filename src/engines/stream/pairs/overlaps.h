@@ -61,15 +61,15 @@ class Overlaps {
   void change_cells_of_few(CellTree& cells, const BodyChanges& changes,
                            std::span<const FatBoxChange> fat_changes);
   FoundPairs find_of_few(CellTree& cells, const BodyChanges& changes);
-  void forget_few(const BodyChanges& changes);
+  [[gnu::cold]] void forget_few(const BodyChanges& changes);
 
   /// Nobody is left: all pairs end, and the memory goes back.
   FoundPairs end_all(const BodyChanges& changes);
 
   /// No pairs, and no memory but what little is always kept.
-  void clear();
+  [[gnu::cold]] void clear();
   /// Gives memory back that the next update may ask for again; what was found may lie there no longer.
-  void give_back();
+  [[gnu::cold]] void give_back();
 
   std::size_t candidates() const { return list_.size(); }
   /// Comparisons of two boxes so far.

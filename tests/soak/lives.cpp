@@ -1,0 +1,106 @@
+#include "soak/lives.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "cellsweep/world/scene.h"
+#include "contract/checked_engine.h"
+#include "contract/contract_engines.h"
+#include "contract/random_caller.h"
+#include "report/verify.h"
+
+namespace cellsweep::soak {
+namespace {
+
+using contract::ContractEngine;
+using contract::Random;
+
+constexpr std::size_t kBodies[] = {1, 2, 3, 7, 16, 33, 100, 250};
+/// For the scenes, of engines that hold more: `stream` has another way for small worlds.
+constexpr std::size_t kSceneBodies[] = {60, 200, 700, 3000};
+constexpr int kSteps = 40;
+constexpr std::size_t kFrames = 25;
+
+template <class Rows>
+const auto& one_of(Random& random, const Rows& rows) {
+  return rows[random.below(std::size(rows))];
+}
+
+Outcome live_by_calls(const ContractEngine& engine, Random& random, std::uint64_t seed) {
+  const contract::BoxKind& kind = one_of(random, contract::box_kinds());
+  const std::size_t bodies = one_of(random, kBodies);
+  Outcome outcome{engine.label + ", " + contract::story_of(kind, bodies, seed)};
+  contract::CheckedEngine checked(engine, outcome.story);
+  contract::RandomCaller caller(checked, kind, bodies, seed);
+  testing::AssertionResult right = caller.fill();
+  for (int step = 0; step < kSteps && right; ++step) {
+    right = caller.step();
+    ++outcome.updates;
+    outcome.pairs += checked.model().pairs.size();
+  }
+  if (!right) outcome.failure = right.message();
+  return outcome;
+}
+
+SceneSettings random_settings(Random& random, std::uint64_t seed) {
+  const SceneInfo& scene = one_of(random, scene_table());
+  SceneSettings settings;
+  settings.scene = scene.name;
+  settings.bodies = one_of(random, kSceneBodies);
+  settings.seed = seed;
+  if (scene.moving && random.one_in(2)) settings.moving = random.unit();
+  if (scene.is_world) {
+    constexpr double kSpeeds[] = {0, 0.01, 1, 1, 1, 30};
+    settings.speed = one_of(random, kSpeeds);
+    settings.spinning = random.one_in(2);
+  }
+  constexpr GiantSlot kGiants[] = {GiantSlot::none, GiantSlot::none, GiantSlot::first, GiantSlot::middle,
+                                   GiantSlot::last};
+  settings.giant = one_of(random, kGiants);
+  settings.rest_is_static = random.one_in(4);
+  settings.groups = random.one_in(4) ? static_cast<unsigned>(random.below(5)) : 0;
+  return settings;
+}
+
+std::string describe(const SceneSettings& settings) {
+  return "scene " + settings.scene + ", " + std::to_string(settings.bodies) + " bodies, seed " +
+         std::to_string(settings.seed);
+}
+
+Outcome live_in_scene(const ContractEngine& engine, Random& random, std::uint64_t seed) {
+  SceneSettings settings = random_settings(random, seed);
+  std::vector<report::FedEngine> engines;
+  engines.push_back({contract::make(engine)});
+  const std::uint64_t room = engines[0].engine.capacity().bodies;
+  settings.bodies = static_cast<std::size_t>(std::min<std::uint64_t>(settings.bodies, room / 2));
+  Outcome outcome{engine.label + ", " + describe(settings)};
+  auto frames = make_scene_frames(settings);
+  if (!frames) {
+    outcome.failure = frames.status().message;
+    return outcome;
+  }
+  const auto reports = report::verify_engines(engines, **frames, kFrames);
+  if (!reports) {
+    outcome.failure = reports.status().message;
+    return outcome;
+  }
+  const report::VerifyReport& judged = reports->front();
+  outcome.updates = judged.frames;
+  outcome.pairs = judged.pairs;
+  if (judged.first) outcome.failure = report::describe(*judged.first);
+  if (outcome.failure.empty() && !judged.exact()) outcome.failure = "changes were not told right";
+  return outcome;
+}
+
+}  // namespace
+
+Outcome live(std::uint64_t seed) {
+  Random random(seed);
+  const ContractEngine& engine = one_of(random, contract::contract_engines());
+  return random.one_in(2) ? live_by_calls(engine, random, seed) : live_in_scene(engine, random, seed);
+}
+
+}  // namespace cellsweep::soak
