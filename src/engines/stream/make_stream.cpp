@@ -52,7 +52,7 @@ Status check(const StreamOptions& options) {
 }  // namespace
 
 [[gnu::cold]] Result<Broadphase> make_stream_broadphase(const StreamOptions& options, std::string_view name,
-                                          FinderMaker make_finder, std::string row_name) {
+                                                        FinderMaker make_finder, std::string row_name) {
   if (Status status = check(options); !status.ok()) return status;
   const auto crew = make_crew(options);
   const auto make = [crew, options,
