@@ -1,5 +1,9 @@
 // libspe2: event handlers.
 #include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <memory>
+#include <new>
 #include <set>
 #include <vector>
 
@@ -103,10 +107,15 @@ void spu_emu::forget_in_event_handlers(spe_context_ptr_t spe) {
 }
 
 spe_event_handler_ptr_t spe_event_handler_create(void) {
-  auto* handler = new EventHandler;
-  const std::lock_guard lock(handler_list().mutex);
-  handler_list().handlers.insert(handler);
-  return handler;
+  try {
+    auto handler = std::make_unique<EventHandler>();
+    const std::lock_guard lock(handler_list().mutex);
+    handler_list().handlers.insert(handler.get());
+    return handler.release();
+  } catch (const std::bad_alloc&) {
+    errno = ENOMEM;
+    return nullptr;
+  }
 }
 
 int spe_event_handler_destroy(spe_event_handler_ptr_t evhandler) {
@@ -127,6 +136,11 @@ int spe_event_handler_register(spe_event_handler_ptr_t evhandler, spe_event_unit
   {
     const std::lock_guard lock(handler->mutex);
     if (registered(*handler, event->spe, event->events)) return fail(EEXIST);
+    try {
+      handler->units.reserve(handler->units.size() + static_cast<std::size_t>(std::popcount(event->events)));
+    } catch (const std::bad_alloc&) {
+      return fail(ENOMEM);
+    }
     for_each_event(event->events, [&](unsigned bit) {
       handler->units.push_back({bit, event->spe, event->data});
     });

@@ -1,6 +1,7 @@
 #include "engines/cell/ppu/resident_spes.h"
 
 #include <algorithm>
+#include <new>
 
 #include "base/text.h"
 #include "cellsweep/engine/timeline.h"
@@ -21,6 +22,13 @@ constexpr int kLookAfter = 20;
 std::size_t most_events(std::uint64_t bodies, std::uint32_t changes, unsigned spus) {
   const std::size_t words = (changes + spus - 1) / spus * static_cast<std::size_t>(bodies);
   return (words + kResidentEventChunk - 1) / kResidentEventChunk * kResidentEventChunk;
+}
+
+// Nothing but want of memory keeps libspe2 from making one.
+void* make_event_handler() {
+  void* handler = spe_event_handler_create();
+  if (handler == nullptr) throw std::bad_alloc();
+  return handler;
 }
 
 // Why there is no answer of an SPE whose program has ended.
@@ -51,7 +59,7 @@ Result<std::unique_ptr<ResidentSpes>> ResidentSpes::start(const ResidentSize& wa
 // The events' memory is not touched here: the system gives it when, and as far as, there are events.
 ResidentSpes::ResidentSpes(std::unique_ptr<SpeGroup> group, const ResidentSize& wanted)
     : group_(std::move(group)),
-      events_(spe_event_handler_create()),
+      events_(make_event_handler()),
       records_(resident_changes(wanted.bodies)),
       jobs_(size()),
       answers_(size()),
@@ -63,8 +71,9 @@ ResidentSpes::ResidentSpes(std::unique_ptr<SpeGroup> group, const ResidentSize& 
   if (wanted.poses) poses_.resize(room / kLanes);
   for (auto& axis : intervals_) axis.resize(poses_.size());
   for (unsigned i = 0; i < size(); ++i) {
+    auto& buffer = buffers_.emplace_back();
     void* memory = ::operator new (words * sizeof(std::uint32_t), std::align_val_t{kDmaAlign});
-    buffers_.emplace_back(static_cast<std::uint32_t*>(memory));
+    buffer.reset(static_cast<std::uint32_t*>(memory));
     jobs_[i] = {i,
                 size(),
                 i % kAxes,
