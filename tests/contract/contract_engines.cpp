@@ -152,6 +152,10 @@ const std::vector<ContractEngine>& contract_engines() {
   return engines;
 }
 
+bool is_interpreted(const ContractEngine& engine) {
+  return engine.label.find("_on_isa") != std::string::npos;
+}
+
 std::string label_of(std::string_view name) {
   std::string label(name);
   std::replace_if(

@@ -35,6 +35,9 @@ const std::vector<ContractEngine>& contract_engines();
 ContractEngine engine_with_settings(const std::string& name, const SettingValues& settings,
                                     std::string label);
 
+/// Whether its SPU programs run instruction by instruction, which takes long.
+bool is_interpreted(const ContractEngine& engine);
+
 /// The name of an engine in letters, digits and `_`.
 std::string label_of(std::string_view name);
 

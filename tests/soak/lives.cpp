@@ -24,6 +24,11 @@ constexpr std::size_t kSceneBodies[] = {60, 200, 700, 3000};
 constexpr int kSteps = 40;
 constexpr std::size_t kFrames = 25;
 
+/// Of an engine whose SPU programs are interpreted.
+constexpr std::size_t kBodiesOfSlow = 33;
+constexpr int kStepsOfSlow = 8;
+constexpr std::size_t kFramesOfSlow = 4;
+
 template <class Rows>
 const auto& one_of(Random& random, const Rows& rows) {
   return rows[random.below(std::size(rows))];
@@ -31,12 +36,15 @@ const auto& one_of(Random& random, const Rows& rows) {
 
 Outcome live_by_calls(const ContractEngine& engine, Random& random, std::uint64_t seed) {
   const contract::BoxKind& kind = one_of(random, contract::box_kinds());
-  const std::size_t bodies = one_of(random, kBodies);
+  const bool slow = is_interpreted(engine);
+  const std::size_t any_number = one_of(random, kBodies);
+  const std::size_t bodies = slow ? std::min(any_number, kBodiesOfSlow) : any_number;
+  const int steps = slow ? kStepsOfSlow : kSteps;
   Outcome outcome{engine.label + ", " + contract::story_of(kind, bodies, seed)};
   contract::CheckedEngine checked(engine, outcome.story);
   contract::RandomCaller caller(checked, kind, bodies, seed);
   testing::AssertionResult right = caller.fill();
-  for (int step = 0; step < kSteps && right; ++step) {
+  for (int step = 0; step < steps && right; ++step) {
     right = caller.step();
     ++outcome.updates;
     outcome.pairs += checked.model().pairs.size();
@@ -74,15 +82,16 @@ Outcome live_in_scene(const ContractEngine& engine, Random& random, std::uint64_
   SceneSettings settings = random_settings(random, seed);
   std::vector<report::FedEngine> engines;
   engines.push_back({contract::make(engine)});
-  const std::uint64_t room = engines[0].engine.capacity().bodies;
-  settings.bodies = static_cast<std::size_t>(std::min<std::uint64_t>(settings.bodies, room / 2));
+  const std::uint64_t room = is_interpreted(engine) ? kBodiesOfSlow : engines[0].engine.capacity().bodies / 2;
+  settings.bodies = static_cast<std::size_t>(std::min<std::uint64_t>(settings.bodies, room));
   Outcome outcome{engine.label + ", " + describe(settings)};
   auto frames = make_scene_frames(settings);
   if (!frames) {
     outcome.failure = frames.status().message;
     return outcome;
   }
-  const auto reports = report::verify_engines(engines, **frames, kFrames);
+  const auto reports =
+      report::verify_engines(engines, **frames, is_interpreted(engine) ? kFramesOfSlow : kFrames);
   if (!reports) {
     outcome.failure = reports.status().message;
     return outcome;
