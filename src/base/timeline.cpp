@@ -86,7 +86,7 @@ Failure& failure() {
 
 }  // namespace
 
-struct Timeline::Rows {
+struct [[gnu::visibility("hidden")]] Timeline::Rows {
   struct Span {
     unsigned row = 0;
     std::string name;
@@ -99,7 +99,7 @@ struct Timeline::Rows {
   Rows& operator=(const Rows&) = delete;
   [[gnu::cold]] ~Rows();
   [[gnu::cold]] Status write();
-  [[gnu::cold]] void write(std::ostream& out);
+  [[gnu::cold]] void write(std::ostream & out);
 
   ProcessMark process;
   std::mutex mutex;
