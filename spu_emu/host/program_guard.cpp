@@ -128,7 +128,8 @@ struct GuardSignals {
   static int install_timer_signal() {
     for (int signal = SIGRTMAX; signal >= SIGRTMIN; --signal) {
       struct sigaction before {};
-      if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL) continue;
+      if (sigaction(signal, nullptr, &before) != 0) continue;
+      if (before.sa_handler != SIG_DFL && before.sa_handler != SIG_IGN) continue;
       const struct sigaction wanted = action(&on_time);
       if (sigaction(signal, &wanted, nullptr) == 0) return signal;
     }
@@ -139,7 +140,8 @@ struct GuardSignals {
     struct TimerSignal {
       int number = install_timer_signal();
       ~TimerSignal() {
-        if (number != 0) ::signal(number, SIG_DFL);
+        // Left to itself it would end the process, should a timer of a thread that still runs go off.
+        if (number != 0) ::signal(number, SIG_IGN);
       }
     };
     static const TimerSignal timer;
