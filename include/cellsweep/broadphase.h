@@ -20,6 +20,8 @@
 
 namespace cellsweep {
 
+class Queries;
+
 /// What changed between two updates, each list in ascending order of (a, b). The memory is the Broadphase's
 /// and stays valid until its next update().
 struct PairChanges {
@@ -115,6 +117,9 @@ class CELLSWEEP_API Broadphase final {
   /// of bodies removed since. Errors: bad_input (spans of different length), unknown_body for one that the
   /// last update() did not see.
   Status boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const;
+
+  /// Questions about the world as of the last update(): query.h.
+  Queries queries() const;
 
   /// Bodies held now, whether or not update() has seen them.
   std::size_t size() const;

@@ -50,17 +50,6 @@ struct Render {
     return recording->make_source();
   }
 
-  static Status go_to(FrameSource& source, std::size_t& at, std::size_t frame) {
-    if (Status status = source.status(); !status.ok()) return status;
-    report::Progress progress("render, on the way to frame", frame);
-    for (; at < frame; ++at) {
-      if (!source.advance())
-        return source.status().ok() ? unreached_frame_status(frame, at) : source.status();
-      progress.show(at);
-    }
-    return {};
-  }
-
   Status draw(const FrameSource& source, const Aabb& world, const std::filesystem::path& path) const {
     const auto image = report::trace_picture(report::tableau_of(source, world), picture);
     if (!image) return image.status();
@@ -69,7 +58,7 @@ struct Render {
 
   Status draw_one(FrameSource& source, const Aabb& world) {
     std::size_t at = 0;
-    if (Status status = go_to(source, at, frame); !status.ok()) return status;
+    if (Status status = go_to_frame(source, at, frame, "render"); !status.ok()) return status;
     report::Progress progress("render, row", picture.height);
     picture.row_done = [&](unsigned row) { progress.show(row); };
     return draw(source, world, out);
@@ -89,7 +78,7 @@ struct Render {
     report::Progress progress("pictures", range.count());
     std::size_t at = 0;
     for (std::size_t wanted = range.first; wanted <= range.last && !report::is_interrupted(); ++wanted) {
-      if (Status status = go_to(source, at, wanted); !status.ok()) return status;
+      if (Status status = go_to_frame(source, at, wanted, "render"); !status.ok()) return status;
       if (Status status = draw(source, world, out / numbered_png(wanted)); !status.ok()) return status;
       progress.show(++drawn);
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/answer.h"
 #include "app/checks.h"
 #include "app/commands.h"
 #include "app/engine_flags.h"
@@ -17,10 +18,13 @@ struct View {
   EngineFlags engines;
   view::ViewSettings window;
   bool no_panel = false;
+  std::string box;
+  std::string ray;
   std::size_t recorded_frames = 0;  // 0: a scene
 
   ExitCode run() {
     if (const Status status = check(); !status.ok()) return complain(status);
+    if (const Status status = take_tool(); !status.ok()) return complain(status);
     view::SimulationSettings settings{std::nullopt, scene.settings, engines.names().front(),
                                       engines.values()};
     if (!file.empty()) {
@@ -48,6 +52,22 @@ struct View {
       if (Status status = check_ending(window.screenshot, {".png"}); !status.ok()) return status;
     }
     return engines.check();
+  }
+
+  // What --box and --ray hold into the world is what `query` takes.
+  Status take_tool() {
+    for (const QuestionKind& kind : question_kinds()) {
+      const std::string& typed = kind.form == QuestionForm::box ? box : ray;
+      const bool is_mine = kind.form == QuestionForm::box || kind.form == QuestionForm::ray;
+      if (!is_mine || typed.empty()) continue;
+      const auto question = question_of_flag(kind, typed, {});
+      if (!question) return question.status();
+      if (const auto answer = ask(Broadphase(), *question); !answer) return answer.status();
+      if (kind.form == QuestionForm::box) window.box = region_of(*question).box;
+      if (kind.form == QuestionForm::ray)
+        window.ray = {path_of(*question).box.min, path_of(*question).direction};
+    }
+    return {};
   }
 
   ExitCode complain_of_display(const std::string& why) const {
@@ -97,6 +117,9 @@ void add_view(CLI::App& program, ExitCode& exit_code) {
   command->add_flag("--no-panel", view->no_panel, "Begin without the panel");
   command->add_flag("--fat-boxes", view->window.stream_parts.fat_boxes, "Begin with the fat boxes of stream");
   command->add_flag("--cells", view->window.stream_parts.cells, "Begin with the cells of stream");
+  auto* box = command->add_option("--box", view->box, "Begin with this box held into the world")
+                  ->type_name("MINX,MINY,MINZ,MAXX,MAXY,MAXZ");
+  command->add_option("--ray", view->ray, "Begin with this ray")->type_name("X,Y,Z,DX,DY,DZ")->excludes(box);
   command->add_flag("--help-keys", view->window.help, "Begin with the help of the keys");
   command->footer(
       "H shows the keys. Exit code 5 where there is no display with OpenGL 3.3.\n"

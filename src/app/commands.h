@@ -13,6 +13,7 @@ void add_simulate(CLI::App& program, ExitCode& exit_code);
 void add_replay(CLI::App& program, ExitCode& exit_code);
 void add_record(CLI::App& program, ExitCode& exit_code);
 void add_verify(CLI::App& program, ExitCode& exit_code);
+void add_query(CLI::App& program, ExitCode& exit_code);
 void add_engines(CLI::App& program, ExitCode& exit_code);
 void add_local_store(CLI::App& program, ExitCode& exit_code);
 void add_experiment(CLI::App& program, ExitCode& exit_code);

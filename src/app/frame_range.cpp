@@ -5,8 +5,17 @@
 #include <istream>
 
 #include "base/text.h"
+#include "report/progress.h"
 
 namespace cellsweep::app {
+namespace {
+
+Status unreached_frame_status(std::size_t wanted, std::size_t last) {
+  return Status::bad_input(text("Frame ", wanted, " was asked for, but the last frame is ", last, "."),
+                           "frame", wanted, last);
+}
+
+}  // namespace
 
 std::istream& operator>>(std::istream& stream, FrameRange& range) {
   FrameRange read;
@@ -25,9 +34,14 @@ std::string numbered_png(std::size_t frame) {
   return name.data();
 }
 
-Status unreached_frame_status(std::size_t wanted, std::size_t last) {
-  return Status::bad_input(text("Frame ", wanted, " was to be drawn, but the last frame is ", last, "."),
-                           "frame", wanted, last);
+Status go_to_frame(FrameSource& source, std::size_t& at, std::size_t frame, const std::string& what) {
+  if (Status status = source.status(); !status.ok()) return status;
+  report::Progress progress(what + ", on the way to frame", frame);
+  for (; at < frame; ++at) {
+    if (!source.advance()) return source.status().ok() ? unreached_frame_status(frame, at) : source.status();
+    progress.show(at);
+  }
+  return {};
 }
 
 }  // namespace cellsweep::app

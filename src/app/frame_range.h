@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cellsweep/status.h"
+#include "cellsweep/world/frame_source.h"
 
 namespace cellsweep::app {
 
@@ -25,7 +26,8 @@ std::istream& operator>>(std::istream& stream, FrameRange& range);
 /// The name of a frame's picture in a sequence: "00012.png".
 std::string numbered_png(std::size_t frame);
 
-/// The status for a frame beyond the last one of a source.
-Status unreached_frame_status(std::size_t wanted, std::size_t last);
+/// Goes on from frame `at` to a later one; on a terminal one sees how far `what` has come. Errors: bad_input
+/// when there are not so many frames, and those of the source.
+Status go_to_frame(FrameSource& source, std::size_t& at, std::size_t frame, const std::string& what);
 
 }  // namespace cellsweep::app

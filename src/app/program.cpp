@@ -24,6 +24,7 @@ constexpr const char* kFooter =
     "  cellsweep simulate --scene paper --bodies 1024 --frames 1000\n"
     "  cellsweep replay bench/scenes/bullet-pile-1024.aabbs --json\n"
     "  cellsweep verify --scene varied --bodies 500 --moving 1\n"
+    "  cellsweep query --scene paper --frame 100 --box 0,0,0,2,2,2\n"
     "  cellsweep experiment --out results\n"
     "  cellsweep render --scene paper --frame 100 --out scene.png\n"
     "  cellsweep view --scene paper --engine cell-resident\n"
@@ -44,8 +45,8 @@ class Program {
   Program() {
     program_.formatter(std::make_shared<HelpFormat>());
     program_.set_version_flag("--version", report::version_text(), "Print the version and exit");
-    for (const auto add : {add_simulate, add_replay, add_record, add_verify, add_engines, add_local_store,
-                           add_experiment, add_render, add_view, add_demo}) {
+    for (const auto add : {add_simulate, add_replay, add_record, add_verify, add_query, add_engines,
+                           add_local_store, add_experiment, add_render, add_view, add_demo}) {
       add(program_, exit_code_);
     }
     program_.require_subcommand(1);

@@ -149,6 +149,26 @@ inline constexpr std::uint32_t kVectorsOfSwept = 8;
 /// outside: as much from about four on.
 inline constexpr std::uint32_t kTestsOfSwept = 8;
 
+// --- one-shot searches
+// ------------------------------------------------------------------------------------------------------------
+
+/// So many boxes of one set and fewer are compared all with all. EPYC, uniform, 64 to 300: little between.
+inline constexpr std::size_t kOneCell = 128;
+/// Where one of two sets has so many and fewer, all of them are compared with all of the other.
+/// EPYC, uniform: 300 of 10,000 take as long either way.
+inline constexpr std::size_t kMostPieced = 256;
+/// These are compared so many at a time.
+inline constexpr std::size_t kPieced = 4096;
+/// Seconds that such a comparison takes.
+inline constexpr double kCrossTestGuess = 0.1e-9;
+/// Boxes of two sets are put into a coarse grid, to leave out those that lie apart, unless each reaches into
+/// so many rows of its cells, in the mean.
+inline constexpr std::uint64_t kRowsOfApart = 16;
+/// Rounded boxes that overlap where those of doubles do not, for each box, before their coordinates are
+/// ranked.
+inline constexpr std::uint64_t kCandidatesOfRounded = 16;
+inline constexpr std::uint64_t kFewOfRounded = 4096;
+
 // --- candidates
 // -----------------------------------------------------------------------------------------------
 
@@ -206,6 +226,17 @@ inline constexpr std::uint64_t kNarrowest = 4096;
 /// change is looked for by halves. EPYC, uniform 10,000 and 100,000, all moving.
 inline constexpr std::size_t kCopied = 8;
 inline constexpr std::size_t kCopies = 8;
+
+// --- queries
+// -----------------------------------------------------------------------------------------------------
+
+/// Questions of a batch that a worker takes at a time: chosen, not measured. What one takes, in seconds of
+/// one thread, roughly. EPYC, uniform 10,000, small boxes.
+inline constexpr std::size_t kQuestionsOfPart = 64;
+inline constexpr double kQuestionGuess = 300e-9;
+/// So many and more are answered in the order of the cells in which they begin: 4,096 rays take half as long
+/// then. EPYC, uniform 10,000 to 1,000,000. Where it begins to pay was not measured.
+inline constexpr std::size_t kQuestionsSorted = 256;
 
 // --- ids
 // ---------------------------------------------------------------------------------------------------------

@@ -1,5 +1,7 @@
 #include "cellsweep/broadphase.h"
 
+#include <atomic>
+#include <cassert>
 #include <new>
 #include <utility>
 
@@ -7,9 +9,11 @@
 #include "base/process.h"
 #include "base/tuning.h"
 #include "broadphase/bodies/bodies.h"
+#include "broadphase/last_update.h"
 #include "broadphase/pairs/pair_filter.h"
 #include "broadphase/pairs/pair_order.h"
 #include "broadphase/pairs/pair_set.h"
+#include "broadphase/readers.h"
 #include "cellsweep/engine/engine.h"
 #include "cellsweep/engine/timeline.h"
 #include "engines/common/handle_parts.h"
@@ -34,6 +38,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   /// Around every call that computes.
   template <class Call>
   auto traced(const char* name, Call&& call) {
+    assert(readers_.none() && "a Broadphase was changed while a query read it");
     const DefaultFloats floats;
     if (!timeline_) return call();
     const TimelineScope scope(row_);
@@ -88,6 +93,11 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   Engine& engine() {
     return *engine_;
   }
+  // After a failure the engine knows nothing, or no more than a part.
+  LastUpdate last_update() const {
+    const CellsToQuery cells = engine_is_lost_ ? CellsToQuery() : engine_->cells();
+    return {bodies_, cells, readers_, crew_, crew_is_taken_};
+  }
 
  private:
   /// Takes the changes out of the boxes again, unless the update has come to its end.
@@ -123,6 +133,8 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   ProcessMark process_;          // the engine's, whose threads may not be in another one
   Capacity capacity_;
   Crew& crew_ = *parts_.crew;
+  mutable std::atomic_flag crew_is_taken_;  // by a batch of queries
+  mutable Readers readers_;
   Bodies bodies_;
   PairFilter filter_;
   PairOrder order_;
@@ -306,6 +318,10 @@ const Engine& EngineAccess::engine_of(const Broadphase& broadphase) {
 
 std::span<const Aabb> EngineAccess::boxes_of(const Broadphase& broadphase) {
   return broadphase.impl_->bodies().all_boxes();
+}
+
+LastUpdate EngineAccess::last_update(const Broadphase& broadphase) {
+  return broadphase.impl_->last_update();
 }
 
 }  // namespace cellsweep

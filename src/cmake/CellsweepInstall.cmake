@@ -42,8 +42,8 @@ endfunction()
 
 cellsweep_install_library(
   core cellsweep "" " -pthread"
-  aabb.h broadphase.h engine engines.h executor.h export.h filter.h options.h pair.h statistics.h status.h stream_view.h
-  vector_isa.h)
+  aabb.h box_view.h broadphase.h engine engines.h executor.h export.h filter.h find_pairs.h function_ref.h options.h pair.h
+  pair_history.h query.h statistics.h status.h stream_view.h vector_isa.h)
 if(TARGET cellsweep_world)
   cellsweep_install_library(world cellsweep_world "cellsweep eigen3" "${CELLSWEEP_LIBZIP}" pose.h world)
 endif()

@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kTurn = 0.08F;  // radians
 constexpr float kZoom = 1.1F;
+constexpr float kGrowth = 1.2F;
 constexpr double kMovingStep = 0.1;
 
 constexpr std::array kBindings = {
@@ -32,6 +33,9 @@ constexpr std::array kBindings = {
     KeyBinding{'0', "0", Action::first_view, "the view of the beginning"},
     KeyBinding{'F', "F", Action::show_fat_boxes, "fat boxes of stream on, off"},
     KeyBinding{'C', "C", Action::show_cells, "cells of stream on, off"},
+    KeyBinding{'T', "T", Action::next_tool, "a box to hold into the world, a ray, none"},
+    KeyBinding{'G', "G", Action::larger_box, "a larger box", true},
+    KeyBinding{'S', "S", Action::smaller_box, "a smaller box", true},
     KeyBinding{'W', "W", Action::show_reason, "why something was refused, in full"},
     KeyBinding{'P', "P", Action::show_panel, "panel on, off"},
     KeyBinding{'H', "H", Action::show_help, "this help on, off"},
@@ -95,6 +99,12 @@ void Controller::act(Action action) {
       return show_of_stream(&StreamParts::fat_boxes);
     case Action::show_cells:
       return show_of_stream(&StreamParts::cells);
+    case Action::next_tool:
+      return probe_.choose_next();
+    case Action::larger_box:
+      return probe_.resize(kGrowth);
+    case Action::smaller_box:
+      return probe_.resize(1 / kGrowth);
     case Action::show_reason:
       shows_reason_ = !shows_reason_;
       return;
@@ -115,11 +125,26 @@ void Controller::use_engine(std::string_view name) {
   note(simulation_.use_engine(name));
 }
 
-// A world of another size is looked at anew.
+void Controller::grab(const Eigen::Vector2f& pixel, float width, float height) {
+  probe_.grab(camera_.look_through(pixel, width, height), simulation_.engine());
+}
+
+void Controller::drag(const Eigen::Vector2f& pixel, float width, float height) {
+  probe_.drag(camera_.look_through(pixel, width, height));
+}
+
 void Controller::use_bodies(std::size_t bodies) {
   const Aabb before = simulation_.bounds();
   note(simulation_.use_bodies(bodies));
-  if (!(simulation_.bounds() == before)) camera_ = OrbitCamera(simulation_.bounds());
+  if (!(simulation_.bounds() == before)) look_at_another_world();
+}
+
+// The tool stays, and lies in the new world as it did at first in the old one.
+void Controller::look_at_another_world() {
+  camera_ = OrbitCamera(simulation_.bounds());
+  const Tool tool = probe_.tool();
+  probe_ = Probe(simulation_.bounds());
+  probe_.choose(tool);
 }
 
 void Controller::use_moving(double share) {

@@ -8,6 +8,7 @@
 
 #include "view/drawn_boxes.h"
 #include "view/orbit_camera.h"
+#include "view/probe.h"
 #include "view/simulation.h"
 
 namespace cellsweep::view {
@@ -32,6 +33,9 @@ enum class Action {
   first_view,
   show_fat_boxes,
   show_cells,
+  next_tool,
+  larger_box,
+  smaller_box,
   show_reason,
   show_panel,
   show_help,
@@ -56,7 +60,8 @@ std::span<const KeyBinding> key_bindings();
 class Controller {
  public:
   /// The simulation outlives the controller.
-  explicit Controller(Simulation& simulation) : simulation_(simulation), camera_(simulation.bounds()) {}
+  explicit Controller(Simulation& simulation)
+      : simulation_(simulation), camera_(simulation.bounds()), probe_(simulation.bounds()) {}
 
   /// Once a picture: goes one frame on, unless paused.
   void tick();
@@ -70,9 +75,16 @@ class Controller {
   void use_bodies(std::size_t bodies);
   void use_moving(double share);
 
+  /// The mouse takes the tool at a point of the world's picture, in pixels from its upper left corner, and
+  /// has moved to another.
+  void grab(const Eigen::Vector2f& pixel, float width, float height);
+  void drag(const Eigen::Vector2f& pixel, float width, float height);
+
   const Simulation& simulation() const { return simulation_; }
   OrbitCamera& camera() { return camera_; }
   const OrbitCamera& camera() const { return camera_; }
+  Probe& probe() { return probe_; }
+  const Probe& probe() const { return probe_; }
   bool paused() const { return paused_; }
   bool shows_panel() const { return shows_panel_; }
   bool shows_help() const { return shows_help_; }
@@ -88,6 +100,7 @@ class Controller {
 
  private:
   void step();
+  void look_at_another_world();
   void show_of_stream(bool StreamParts::*part);
   void note(const Status& status);
   void change_engine(int by);
@@ -95,6 +108,7 @@ class Controller {
 
   Simulation& simulation_;
   OrbitCamera camera_;
+  Probe probe_;
   bool paused_ = false;
   bool shows_panel_ = true;
   bool shows_help_ = false;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "cellsweep/world/world.h"
+#include "view/probe.h"
 #include "view/simulation.h"
 
 namespace cellsweep::view {
@@ -20,8 +22,17 @@ struct DrawnBox {
 
 static_assert(sizeof(DrawnBox) == 52);
 
-/// The bodies, colliding ones green, without walls and floors; then the twelve edges of the world as bars.
-std::vector<DrawnBox> drawn_boxes(const Simulation& simulation);
+struct DrawnBoxes {
+  std::vector<DrawnBox> all;
+  std::size_t first_glowing = 0;  ///< from this one on they are to be seen through what is in front of them
+
+  std::span<const DrawnBox> glowing() const { return std::span(all).subspan(first_glowing); }
+};
+
+/// The bodies, without walls and floors, colliding ones green, and as bars the twelve edges of the world.
+/// Then, glowing, the bodies that a tool meets, amber, the first one that a ray touches yellow, and the tool
+/// as bars: the edges of the box, or the ray where it goes through the world and a little around it.
+DrawnBoxes drawn_boxes(const Simulation& simulation, const Probe& probe, const Met& met);
 
 /// A box of which only the edges are drawn. Nine floats, no padding.
 struct LineBox {

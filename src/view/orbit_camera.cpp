@@ -84,4 +84,11 @@ Eigen::Vector2f OrbitCamera::project(const Vector3f& point, float width, float h
   return {0.5F * width * (1 + clip.x() / clip.w()), 0.5F * height * (1 - clip.y() / clip.w())};
 }
 
+Look OrbitCamera::look_through(const Eigen::Vector2f& pixel, float width, float height) const {
+  const float aspect = width / height;
+  const float rightward = tangent_at(aspect) * aspect * (2 * pixel.x() / width - 1);
+  const float upward = tangent_at(aspect) * (1 - 2 * pixel.y() / height);
+  return {eye(), (rightward * right() + upward * up() - back()).normalized(), back()};
+}
+
 }  // namespace cellsweep::view

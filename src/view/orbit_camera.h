@@ -8,6 +8,13 @@
 
 namespace cellsweep::view {
 
+/// A look from the camera through a point of its picture.
+struct Look {
+  Eigen::Vector3f eye;
+  Eigen::Vector3f direction;  ///< of length 1
+  Eigen::Vector3f back;       ///< of length 1, from the middle of the picture to the eye
+};
+
 /// At first it sees what `render` draws: down at the world from outside one of its upper corners. Angles in
 /// radians, lengths in world units.
 class OrbitCamera {
@@ -31,6 +38,9 @@ class OrbitCamera {
 
   /// Where a point is on a picture, in pixels from its upper left corner.
   Eigen::Vector2f project(const Eigen::Vector3f& point, float width, float height) const;
+
+  /// Through a point of the picture, in pixels from its upper left corner.
+  Look look_through(const Eigen::Vector2f& pixel, float width, float height) const;
 
  private:
   Eigen::Vector3f back() const;

@@ -31,7 +31,8 @@ void add_attribute(GLuint number, GLint floats, std::size_t offset) {
 
 Painter::Painter()
     : depth_({kBoxVertices}, {kNoColor}),
-      boxes_({kBoxVertices}, {kLight, kBoxColor}),
+      boxes_({kBoxVertices}, {kLight, kBoxEdges, kBoxColor}),
+      glow_({kBoxVertices}, {kWorldSize, kBoxEdges, kGlowColor}),
       floor_({kFloorVertices}, {kLight, kFloorColor}),
       lines_({kEdgeVertices}, {kLineColor}),
       sun_map_(kSunMapEdge),
@@ -62,9 +63,9 @@ Painter::~Painter() {
   glDeleteVertexArrays(1, &no_arrays_);
 }
 
-void Painter::paint(std::span<const DrawnBox> boxes, std::span<const LineBox> lines, const Aabb& world,
+void Painter::paint(const DrawnBoxes& boxes, std::span<const LineBox> lines, const Aabb& world,
                     const OrbitCamera& camera, GLuint framebuffer, const Viewport& viewport) {
-  upload(boxes);
+  upload(boxes.all);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   glDisable(GL_BLEND);
@@ -90,6 +91,7 @@ void Painter::paint(std::span<const DrawnBox> boxes, std::span<const LineBox> li
   draw_boxes(boxes_, to_clip);
   draw_floor(world, to_clip);
   if (!lines.empty()) draw_lines(lines, to_clip);
+  if (!boxes.glowing().empty()) draw_glow(boxes.glowing(), world, to_clip);
 }
 
 void Painter::upload(std::span<const DrawnBox> boxes) {
@@ -125,6 +127,22 @@ void Painter::draw_lines(std::span<const LineBox> lines, const Matrix4f& to_clip
   lines_.use();
   lines_.set("to_clip", to_clip);
   glDrawArraysInstanced(GL_LINES, 0, kEdgeVertexCount, static_cast<GLsizei>(lines.size()));
+  glDisable(GL_BLEND);
+}
+
+// Over all that was drawn, and of each other the nearest.
+void Painter::draw_glow(std::span<const DrawnBox> boxes, const Aabb& world, const Matrix4f& to_clip) {
+  upload(boxes);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  depth_.use();
+  draw_boxes(depth_, to_clip);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glow_.use();
+  glow_.set("world_size", to_eigen(world).sizes().maxCoeff());
+  draw_boxes(glow_, to_clip);
   glDisable(GL_BLEND);
 }
 

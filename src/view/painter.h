@@ -30,7 +30,7 @@ class Painter {
   Painter& operator=(const Painter&) = delete;
 
   /// Paints over all of `framebuffer`, the world into the part `viewport`.
-  void paint(std::span<const DrawnBox> boxes, std::span<const LineBox> lines, const Aabb& world,
+  void paint(const DrawnBoxes& boxes, std::span<const LineBox> lines, const Aabb& world,
              const OrbitCamera& camera, GLuint framebuffer, const Viewport& viewport);
 
  private:
@@ -38,10 +38,12 @@ class Painter {
   void draw_boxes(const GlProgram& program, const Eigen::Matrix4f& to_clip) const;
   void set_light(const GlProgram& program, const Aabb& world) const;
   void draw_lines(std::span<const LineBox> lines, const Eigen::Matrix4f& to_clip) const;
+  void draw_glow(std::span<const DrawnBox> boxes, const Aabb& world, const Eigen::Matrix4f& to_clip);
   void draw_floor(const Aabb& world, const Eigen::Matrix4f& to_clip) const;
 
   GlProgram depth_;
   GlProgram boxes_;
+  GlProgram glow_;
   GlProgram floor_;
   GlProgram lines_;
   DepthMap sun_map_;

@@ -123,6 +123,36 @@ void draw_times(const Simulation& simulation) {
   if (phases.empty()) ImGui::TextUnformatted("none: there was nothing to do");
 }
 
+void draw_first_ids(const Met& met) {
+  constexpr std::size_t kLines = 3;
+  constexpr std::size_t kOfLine = 5;
+  for (std::size_t line = 0; line < kLines; ++line) {
+    std::string ids;
+    for (std::size_t i = kOfLine * line; i < std::min(kOfLine * (line + 1), met.size()); ++i)
+      ids.append(ids.empty() ? "" : "  ").append(std::to_string(met[i].body));
+    ImGui::TextUnformatted(ids.c_str());
+  }
+}
+
+void draw_first_touches(const Met& met) {
+  constexpr std::size_t kLines = 3;
+  for (std::size_t i = 0; i < kLines; ++i) {
+    const bool is_there = i < met.size();
+    row(is_there ? ("body " + std::to_string(met[i].body)).c_str() : "",
+        is_there ? report::factor_text(met[i].time) : "");
+  }
+}
+
+// As many lines for any number of bodies, so that what is below stays where it is.
+void draw_met(const Probe& probe, const Met& met) {
+  if (probe.tool() == Tool::none) return;
+  const bool is_ray = probe.tool() == Tool::ray;
+  heading(is_ray ? "Ray: what it touches, and when" : "Box: what overlaps it");
+  row("bodies", report::count_text(met.size()));
+  if (is_ray) return draw_first_touches(met);
+  draw_first_ids(met);
+}
+
 void draw_help() {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x - 20, 20}, ImGuiCond_Always, {1, 0});
@@ -134,7 +164,9 @@ void draw_help() {
     ImGui::TextUnformatted(binding.text.data(), binding.text.data() + binding.text.size());
   }
   ImGui::Separator();
-  ImGui::TextColored(kFaint, "Mouse: drag turns, with the right button shifts; the wheel zooms.");
+  ImGui::TextColored(kFaint,
+                     "Mouse: drag turns; with the right button it moves the box or ray, and\n"
+                     "without one shifts, as with the middle button; the wheel zooms.");
   ImGui::End();
 }
 
@@ -160,7 +192,7 @@ void set_panel_style() {
   if (std::filesystem::exists(kFont)) ImGui::GetIO().Fonts->AddFontFromFileTTF(kFont, kFontSize);
 }
 
-void Panel::draw(Controller& controller, float height) {
+void Panel::draw(Controller& controller, const Met& met, float height) {
   if (controller.shows_help()) draw_help();
   if (!controller.shows_panel()) return;
   const Simulation& simulation = controller.simulation();
@@ -172,6 +204,7 @@ void Panel::draw(Controller& controller, float height) {
   draw_controls(controller);
   draw_complaint(controller);
   draw_numbers(simulation);
+  draw_met(controller.probe(), met);
   draw_times(simulation);
   if (simulation.local_store()) {
     heading("Local stores");

@@ -12,11 +12,11 @@ constexpr int kPanelWidth = 330;
 /// Colours, spacing and font of the current ImGui context.
 void set_panel_style();
 
-/// Between ImGui::NewFrame() and ImGui::Render(): the panel and the help, as far as the controller shows
-/// them.
+/// Between ImGui::NewFrame() and ImGui::Render(): the panel, with what the tool meets, and the help, as far
+/// as the controller shows them.
 class Panel {
  public:
-  void draw(Controller& controller, float height);
+  void draw(Controller& controller, const Met& met, float height);
 
  private:
   void draw_controls(Controller& controller);

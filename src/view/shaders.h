@@ -98,22 +98,43 @@ vec4 on_screen(vec3 light) {
 }
 )";
 
+/// For what knows no light.
+inline constexpr const char* kWorldSize = "uniform float world_size;\n";
+
 /// A fine dark line along its edges tells a box from the one behind.
-inline constexpr const char* kBoxColor = R"(
-in vec3 place;
-in vec3 normal;
+inline constexpr const char* kBoxEdges = R"(
 in vec2 on_face;
 flat in vec2 half_face;
-flat in vec3 own_color;
-out vec4 pixel;
 
-void main() {
+float darkened_at_edges() {
   vec2 to_edges = half_face - abs(on_face);
   float to_edge = min(to_edges.x, to_edges.y);
   float width = 0.0013 * world_size;
   float blur = max(fwidth(to_edge), 1e-7);
-  float inside = smoothstep(width - blur, width + blur, to_edge);
-  pixel = on_screen(lit(own_color * own_color * mix(0.45, 1.0, inside), place, normalize(normal)));
+  return mix(0.45, 1.0, smoothstep(width - blur, width + blur, to_edge));
+}
+)";
+
+inline constexpr const char* kBoxColor = R"(
+in vec3 place;
+in vec3 normal;
+flat in vec3 own_color;
+out vec4 pixel;
+
+void main() {
+  pixel = on_screen(lit(own_color * own_color * darkened_at_edges(), place, normalize(normal)));
+}
+)";
+
+/// In no light but its own, and seen through a little: over what is in front of it.
+inline constexpr const char* kGlowColor = R"(
+in vec3 normal;
+flat in vec3 own_color;
+out vec4 pixel;
+
+void main() {
+  float facing = 0.86 + 0.14 * normalize(normal).y;
+  pixel = vec4(own_color * facing * darkened_at_edges(), 0.82);
 }
 )";
 

@@ -19,6 +19,8 @@ struct ViewSettings {
   bool panel = true;                  ///< show the panel
   bool help = false;                  ///< show the keys
   StreamParts stream_parts;           ///< show these of engine `stream`
+  std::optional<Aabb> box;            ///< hold this box into the world, or
+  std::optional<Ray> ray;             ///< this ray
 };
 
 /// How a window ended.

@@ -83,11 +83,11 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  void draw(Panel& panel, Controller& controller) {
+  void draw(Panel& panel, Controller& controller, const Met& met) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    panel.draw(controller, ImGui::GetIO().DisplaySize.y);
+    panel.draw(controller, met, ImGui::GetIO().DisplaySize.y);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   }
@@ -115,16 +115,18 @@ int key_of(int glfw_key) {
   }
 }
 
-/// Where the cursor was when it was heard of last.
+/// A place in the window, in screen coordinates.
 struct Cursor {
   double x = 0;
   double y = 0;
 };
 
-/// What the window's callbacks work on.
+/// What the window's callbacks work on: where the cursor was when it was heard of last, and whether it has
+/// the tool.
 struct Input {
   Controller& controller;
   Cursor cursor;
+  bool has_tool = false;
 };
 
 Input& input_of(GLFWwindow* window) {
@@ -142,7 +144,43 @@ void on_scroll(GLFWwindow* window, double, double up) {
   input_of(window).controller.camera().zoom(std::pow(kZoomOfOneStep, static_cast<float>(up)));
 }
 
-// With the left button the world turns, with the right one it shifts.
+/// The part of the window that the world is in.
+struct WorldPart {
+  float left = 0;
+  float width = 1;
+  float height = 1;
+
+  static WorldPart of(GLFWwindow* window, const Controller& controller) {
+    int width = 1;
+    int height = 1;
+    glfwGetWindowSize(window, &width, &height);
+    const int left = controller.shows_panel() ? kPanelWidth : 0;
+    return {static_cast<float>(left), static_cast<float>(std::max(width - left, 1)),
+            static_cast<float>(std::max(height, 1))};
+  }
+  Eigen::Vector2f pixel_at(const Cursor& cursor) const {
+    return {static_cast<float>(cursor.x) - left, static_cast<float>(cursor.y)};
+  }
+};
+
+bool is_pressed(GLFWwindow* window, int button) {
+  return glfwGetMouseButton(window, button) == GLFW_PRESS;
+}
+
+// The right button takes the tool, if there is one; a drag that began on the panel is none.
+void on_button(GLFWwindow* window, int button, int action, int) {
+  if (button != GLFW_MOUSE_BUTTON_RIGHT) return;
+  Input& input = input_of(window);
+  input.has_tool = action == GLFW_PRESS && input.controller.probe().tool() != Tool::none &&
+                   !ImGui::GetIO().WantCaptureMouse;
+  if (!input.has_tool) return;
+  const WorldPart part = WorldPart::of(window, input.controller);
+  glfwGetCursorPos(window, &input.cursor.x, &input.cursor.y);
+  input.controller.grab(part.pixel_at(input.cursor), part.width, part.height);
+}
+
+// With the left button the world turns, with the middle one it shifts; with the right one the tool comes
+// along, and where there is none the world shifts, too.
 void on_cursor(GLFWwindow* window, double x, double y) {
   constexpr float kRadiansPerPixel = 0.006F;
   Input& input = input_of(window);
@@ -150,13 +188,15 @@ void on_cursor(GLFWwindow* window, double x, double y) {
   if (ImGui::GetIO().WantCaptureMouse) return;
   const auto right = static_cast<float>(x - before.x);
   const auto down = static_cast<float>(y - before.y);
-  const auto pressed = [&](int button) { return glfwGetMouseButton(window, button) == GLFW_PRESS; };
   OrbitCamera& camera = input.controller.camera();
-  if (pressed(GLFW_MOUSE_BUTTON_LEFT)) camera.orbit(-kRadiansPerPixel * right, kRadiansPerPixel * down);
-  int height = 1;
-  glfwGetWindowSize(window, nullptr, &height);
-  const float part = 1 / static_cast<float>(std::max(height, 1));
-  if (pressed(GLFW_MOUSE_BUTTON_RIGHT)) camera.pan(right * part, -down * part);
+  if (is_pressed(window, GLFW_MOUSE_BUTTON_LEFT))
+    camera.orbit(-kRadiansPerPixel * right, kRadiansPerPixel * down);
+  const WorldPart part = WorldPart::of(window, input.controller);
+  if (input.has_tool) input.controller.drag(part.pixel_at(input.cursor), part.width, part.height);
+  const bool shifts =
+      is_pressed(window, GLFW_MOUSE_BUTTON_RIGHT) && input.controller.probe().tool() == Tool::none;
+  if (shifts || is_pressed(window, GLFW_MOUSE_BUTTON_MIDDLE))
+    camera.pan(right / part.height, -down / part.height);
 }
 
 /// A window from its first picture to its last.
@@ -171,11 +211,14 @@ class Viewer {
     glfwSetKeyCallback(window_.get(), on_key);
     glfwSetScrollCallback(window_.get(), on_scroll);
     glfwSetCursorPosCallback(window_.get(), on_cursor);
+    glfwSetMouseButtonCallback(window_.get(), on_button);
     gui_ = std::make_unique<Gui>(window_.get());
     if (!settings.panel) controller_.act(Action::show_panel);
     if (settings.help) controller_.act(Action::show_help);
     if (settings.stream_parts.fat_boxes) controller_.act(Action::show_fat_boxes);
     if (settings.stream_parts.cells) controller_.act(Action::show_cells);
+    if (settings.box) controller_.probe().hold(*settings.box);
+    if (settings.ray) controller_.probe().hold(*settings.ray);
   }
 
   Status run() { return settings_.screenshot.empty() ? run_shown() : run_hidden(); }
@@ -219,10 +262,11 @@ class Viewer {
     }
     if (!canvas_ || canvas_->width() != width || canvas_->height() != height)
       canvas_ = std::make_unique<Canvas>(width, height);
-    painter_.paint(drawn_boxes(simulation_), line_boxes(simulation_, controller_.stream_parts()),
-                   simulation_.bounds(), controller_.camera(), canvas_->framebuffer(),
-                   {left, 0, width - left, height});
-    gui_->draw(panel_, controller_);
+    const Met met = met_by(controller_.probe(), simulation_.engine());
+    painter_.paint(drawn_boxes(simulation_, controller_.probe(), met),
+                   line_boxes(simulation_, controller_.stream_parts()), simulation_.bounds(),
+                   controller_.camera(), canvas_->framebuffer(), {left, 0, width - left, height});
+    gui_->draw(panel_, controller_, met);
     return true;
   }
 
@@ -230,7 +274,7 @@ class Viewer {
   Simulation& simulation_;
   Window window_;
   Controller controller_;
-  Input input_{controller_, {}};
+  Input input_{controller_, {}, false};
   std::unique_ptr<Gui> gui_;
   Painter painter_;
   std::unique_ptr<Canvas> canvas_;

@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,13 +22,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
-
-std::string contents(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 bool has_gnuplot() {
   return std::system("gnuplot --version >/dev/null 2>&1") == 0;
@@ -141,11 +133,11 @@ class RenderCommand : public testing::Test {
   ScratchFolder scratch_;
 };
 
-const std::string kSmall = " --width 48 --height 32 --samples 2 --bodies 60";
+const std::string kSmallPicture = " --width 48 --height 32 --samples 2 --bodies 60";
 
 TEST_F(RenderCommand, DrawsAFrameOfASceneTheSameEachTime) {
   for (const std::string file : {"one.png", "other.png"}) {
-    const CommandResult result = run_command("render --frame 3 --out " + scratch_.path(file) + kSmall);
+    const CommandResult result = run_command("render --frame 3 --out " + scratch_.path(file) + kSmallPicture);
     ASSERT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_THAT(result.output + result.errors, IsEmpty());
   }
@@ -154,9 +146,12 @@ TEST_F(RenderCommand, DrawsAFrameOfASceneTheSameEachTime) {
 }
 
 TEST_F(RenderCommand, DrawsASequenceWhosePicturesAreThoseOfItsFrames) {
-  ASSERT_EQ(run_command("render --frames 2:4 --moving 1 --out " + scratch_.path("film") + kSmall).exit_code,
-            0);
-  ASSERT_EQ(run_command("render --frame 3 --moving 1 --out " + scratch_.path("3.png") + kSmall).exit_code, 0);
+  ASSERT_EQ(
+      run_command("render --frames 2:4 --moving 1 --out " + scratch_.path("film") + kSmallPicture).exit_code,
+      0);
+  ASSERT_EQ(
+      run_command("render --frame 3 --moving 1 --out " + scratch_.path("3.png") + kSmallPicture).exit_code,
+      0);
   EXPECT_EQ(contents(scratch_.path("film/00003.png")), contents(scratch_.path("3.png")));
   EXPECT_NE(contents(scratch_.path("film/00004.png")), contents(scratch_.path("3.png")));
   EXPECT_THAT(contents(scratch_.path("film/00002.png")), Not(IsEmpty()));
@@ -164,7 +159,7 @@ TEST_F(RenderCommand, DrawsASequenceWhosePicturesAreThoseOfItsFrames) {
 }
 
 TEST_F(RenderCommand, DrawsTheBodiesThatAreThere) {
-  const std::string open_world = "render --scene open-world --out " + scratch_.path("at.png") + kSmall;
+  const std::string open_world = "render --scene open-world --out " + scratch_.path("at.png") + kSmallPicture;
   ASSERT_EQ(run_command(open_world + " --frame 0").exit_code, 0);
   const std::string whole = contents(scratch_.path("at.png"));
   ASSERT_EQ(run_command(open_world + " --frame 8").exit_code, 0);

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 
 #include "cellsweep/engines.h"
@@ -21,13 +20,6 @@ using Json = nlohmann::json;
 constexpr int kInterrupted = 130;
 constexpr int kTerminated = 143;
 constexpr const char* kForEver = " --frames 100000000 ";
-
-std::string contents(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// Starts a command, and presses Ctrl-C when its progress shows on the terminal.
 class CtrlC : public testing::Test {

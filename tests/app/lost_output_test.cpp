@@ -16,7 +16,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int kOutputLost = 6;
 constexpr const char* kRun = "simulate --bodies 20 --frames 2 --engine stream";
 
 /// A command line of the shell with CELLSWEEP in it, and what it says on standard error.
@@ -34,7 +33,8 @@ CommandResult run_line(std::string line) {
 
 TEST(LostOutput, OfAFullDiskIsAnError) {
   for (const std::string& arguments :
-       {std::string(kRun), std::string(kRun) + " --json", std::string("engines"), std::string("--help"),
+       {std::string(kRun), std::string(kRun) + " --json", std::string("engines"),
+        std::string("query --point 0,0,0"), std::string("query --point 0,0,0 --json"), std::string("--help"),
         std::string("--version")}) {
     const CommandResult result = run_line("CELLSWEEP " + arguments + " >/dev/full");
     EXPECT_EQ(result.exit_code, kOutputLost) << arguments;

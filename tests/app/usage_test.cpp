@@ -20,8 +20,9 @@ using ::testing::Not;
 constexpr std::size_t kColumns = 80;
 
 const std::vector<std::string>& commands() {
-  static const std::vector<std::string> names = {"simulate",    "replay",     "record", "verify", "engines",
-                                                 "local-store", "experiment", "render", "view",   "demo"};
+  static const std::vector<std::string> names = {"simulate", "replay",      "record",     "verify",
+                                                 "engines",  "local-store", "experiment", "render",
+                                                 "view",     "query",       "demo"};
   return names;
 }
 

@@ -19,9 +19,9 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr const char* kNoDisplay = "env -u DISPLAY -u WAYLAND_DISPLAY";
-constexpr const char* kSmall = " --width 640 --height 400 ";
+constexpr const char* kSmallWindow = " --width 640 --height 400 ";
 constexpr const char* kTall = " --width 640 --height 1000 ";  // room for the whole panel
-constexpr const char* kPile = CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-pile-1024.aabbs";
+constexpr const char* kShownPile = CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-pile-1024.aabbs";
 #ifdef CELLSWEEP_PICTURES
 constexpr bool kHasPictures = true;
 #else
@@ -88,7 +88,7 @@ class View : public testing::Test {
   }
 
   /// What the window shows at its end.
-  Picture screenshot(const std::string& arguments, const char* size = kSmall) const {
+  Picture screenshot(const std::string& arguments, const char* size = kSmallWindow) const {
     const std::string file = scratch_.path("window.png");
     const CommandResult result =
         run_command(text("view ", arguments, size, "--screenshot ", file), CELLSWEEP_WITH_DISPLAY);
@@ -99,7 +99,7 @@ class View : public testing::Test {
   Picture rendered(const std::string& arguments) const {
     const std::string file = scratch_.path("render.png");
     const CommandResult result =
-        run_command(text("render ", arguments, kSmall, "--samples 8 --out ", file), kNoDisplay);
+        run_command(text("render ", arguments, kSmallWindow, "--samples 8 --out ", file), kNoDisplay);
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     return read_png(file);
   }
@@ -149,6 +149,33 @@ TEST_F(View, DrawsTheEdgesOfFatBoxesInBlueAndOfCellsInOrange) {
   EXPECT_EQ(screenshot(scene + "--cells --engine control").rgb, plain.rgb) << "there are none";
 }
 
+/// The share of pixels of a yellow: much red and green, little blue, where green is at least so much of red.
+double yellow_share(const Picture& picture, double least, double most) {
+  std::size_t yellow = 0;
+  for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
+    const double red = picture.rgb[i];
+    const double green = picture.rgb[i + 1];
+    yellow +=
+        red > 150 && picture.rgb[i + 2] < red - 64 && green >= least * red && green < most * red ? 1 : 0;
+  }
+  return 3.0 * static_cast<double>(yellow) / static_cast<double>(picture.rgb.size());
+}
+
+TEST_F(View, LightsUpWhatABoxOrARayMeets) {
+  const auto amber = [](const Picture& picture) { return yellow_share(picture, 0.4, 0.8); };
+  const auto yellow = [](const Picture& picture) { return yellow_share(picture, 0.8, 1.1); };
+  const std::string scene = "--scene paper --bodies 400 --frames 5 --no-panel ";
+  const Picture plain = screenshot(scene);
+  const Picture box = screenshot(scene + "--box 5,5,5,10,10,10");
+  const Picture ray = screenshot(scene + "--ray -1,10,10,1,0,0");
+  EXPECT_EQ(amber(plain) + yellow(plain), 0);
+  EXPECT_GT(amber(box), 0.003);
+  EXPECT_LT(yellow(box), 0.0005);
+  EXPECT_GT(yellow(ray), 0.0005);
+  EXPECT_LT(yellow(ray), 0.005) << "the first body alone";
+  EXPECT_EQ(screenshot(scene + "--ray -1,10,10,1,0,0 --engine control").rgb, ray.rgb);
+}
+
 TEST_F(View, HasAPanelBesideTheWorldWithTheLocalStoresOfCellEngines) {
   if (find_engine("cell-resident") == nullptr) GTEST_SKIP() << "this build has no Cell engines";
   const Picture stream = screenshot("--bodies 200 --frames 20", kTall);
@@ -164,15 +191,15 @@ TEST_F(View, HasAPanelBesideTheWorldWithTheLocalStoresOfCellEngines) {
 }
 
 TEST_F(View, ShowsARecordingAndTheKeys) {
-  const Picture keys = screenshot(text(kPile, " --frames 3 --no-panel --help-keys"));
-  const Picture plain = screenshot(text(kPile, " --frames 3 --no-panel"));
+  const Picture keys = screenshot(text(kShownPile, " --frames 3 --no-panel --help-keys"));
+  const Picture plain = screenshot(text(kShownPile, " --frames 3 --no-panel"));
   EXPECT_GT(green_share(plain), 0.05);
   EXPECT_GT(differing_share(keys, plain), 0.02);
 }
 
 TEST_F(View, EndsAfterTheFramesThatWereAskedFor) {
   const CommandResult result =
-      run_command(text("view --bodies 50 --frames 3", kSmall), CELLSWEEP_WITH_DISPLAY);
+      run_command(text("view --bodies 50 --frames 3", kSmallWindow), CELLSWEEP_WITH_DISPLAY);
   EXPECT_EQ(result.exit_code, 0) << result.errors;
 }
 
@@ -195,6 +222,10 @@ TEST(ViewWithoutADisplay, SaysWhatIsWrongBeforeItLooksForOne) {
   EXPECT_EQ(run_command("view --engine control,stream", kNoDisplay).exit_code, 2);
   EXPECT_EQ(run_command("view --bodies 9 --width 9", kNoDisplay).exit_code, 2);
   EXPECT_EQ(run_command("view --scene nowhere", kNoDisplay).exit_code, 2);
+  EXPECT_EQ(run_command("view --ray 0,0,0,0,0,0", kNoDisplay).exit_code, 2);
+  EXPECT_THAT(run_command("view --box 0,0,0,1,1", kNoDisplay).errors, HasSubstr("--box: 6 numbers, MINX,"));
+  EXPECT_THAT(run_command("view --box 1,0,0,0,1,1", kNoDisplay).errors,
+              HasSubstr("on axis x it goes from 1 to 0"));
   const CommandResult full = run_command("view --engine control --bodies 5000", kNoDisplay);
   EXPECT_EQ(full.exit_code, 3);
   EXPECT_THAT(full.errors, HasSubstr("5000"));

@@ -7,13 +7,13 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "base/text.h"
 #include "cellsweep/engines.h"
 #include "cellsweep/world/trace.h"
+#include "command_line.h"
 #include "failing_calls.h"
 
 namespace cellsweep::app {
@@ -27,14 +27,6 @@ using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
 constexpr const char* kOld = "what was there before";
-constexpr int kOutputLost = 6;
-
-std::string contents(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// A command that writes one file, whose name comes last.
 struct Writer {

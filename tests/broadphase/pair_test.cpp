@@ -29,7 +29,7 @@ TEST(Pair, KeysAreInTheOrderOfPairs) {
     EXPECT_LT(ascending[i - 1], ascending[i]);
     EXPECT_LT(pair_key(ascending[i - 1]), pair_key(ascending[i]));
   }
-  EXPECT_EQ(pair_key({0x12345678, 0x9abcdef0}), 0x123456789abcdef0ULL);
+  EXPECT_EQ(pair_key(Pair{0x12345678, 0x9abcdef0}), 0x123456789abcdef0ULL);
 }
 
 TEST(PairSetHash, IsTheOneComputedElsewhere) {

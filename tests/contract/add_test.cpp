@@ -13,10 +13,6 @@ using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
 /// A box with edge 1 whose lower corner is at (x, 0, 0).
-Aabb cube_at(float x) {
-  return {{x, 0, 0}, {x + 1, 1, 1}};
-}
-
 /// Short cases on one engine. Besides, every add() is checked to hand out ids that are small and free.
 class AddContract : public PerEngine {
  protected:

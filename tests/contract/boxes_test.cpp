@@ -15,18 +15,14 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr float kDenormal = std::numeric_limits<float>::denorm_min();
+constexpr float kSmallest = std::numeric_limits<float>::denorm_min();
 
 /// A box with edge 1 whose lower corner is at (x, 0, 0).
-Aabb cube_at(float x) {
-  return {{x, 0, 0}, {x + 1, 1, 1}};
-}
-
 using BoxesContract = PerEngine;
 
 TEST_P(BoxesContract, TheyAreWhatWasGivenMadeCanonical) {
   Broadphase engine = make(GetParam());
-  ASSERT_TRUE(engine.insert(4, {{-kDenormal, -0.0F, 1}, {2, kDenormal, 3}}).ok());
+  ASSERT_TRUE(engine.insert(4, {{-kSmallest, -0.0F, 1}, {2, kSmallest, 3}}).ok());
   ASSERT_TRUE(engine.update().ok());
   Aabb box;
   ASSERT_TRUE(engine.boxes(std::vector<BodyId>{4}, std::span(&box, 1)).ok());

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -26,6 +28,17 @@ inline std::string engine_label(const testing::TestParamInfo<ContractEngine>& in
 inline std::string engine_and_kind_label(
     const testing::TestParamInfo<std::tuple<ContractEngine, BoxKind>>& info) {
   return std::get<0>(info.param).label + "_" + std::string(std::get<1>(info.param).name);
+}
+
+/// The number of a kind, by which the kinds take turns with what they do not all do.
+inline std::size_t turn_of(const BoxKind& kind) {
+  const auto is_it = [&](const BoxKind& other) { return other.name == kind.name; };
+  return static_cast<std::size_t>(std::ranges::find_if(box_kinds(), is_it) - box_kinds().begin());
+}
+
+/// The unit cube whose lower corner is at (x, 0, 0).
+inline Aabb cube_at(float x) {
+  return {{x, 0, 0}, {x + 1, 1, 1}};
 }
 
 inline auto all_engines() {

@@ -16,17 +16,17 @@
 namespace cellsweep::contract {
 namespace {
 
-constexpr std::size_t kBodies = effort(60, 20);
+constexpr std::size_t kBodiesOfRuns = effort(60, 20);
 constexpr std::uint64_t kSeed = 7;
-constexpr int kSteps = effort(15, 3);
+constexpr int kStepsOfRuns = effort(15, 3);
 
 /// The answers to one random sequence of calls, in the engine's own order.
 std::vector<Answer> answers_of(const ContractEngine& engine, const BoxKind& kind) {
-  CheckedEngine checked(engine, story_of(kind, kBodies, kSeed));
-  RandomCaller caller(checked, kind, kBodies, kSeed);
+  CheckedEngine checked(engine, story_of(kind, kBodiesOfRuns, kSeed));
+  RandomCaller caller(checked, kind, kBodiesOfRuns, kSeed);
   std::vector<Answer> answers;
   testing::AssertionResult good = caller.fill();
-  for (int step = 0; good && step < kSteps; ++step) {
+  for (int step = 0; good && step < kStepsOfRuns; ++step) {
     good = caller.step();
     answers.push_back(checked.answer());
   }
@@ -67,13 +67,13 @@ using DeterminismContract = PerEngineAndKind;
 
 TEST_P(DeterminismContract, TwoEnginesCalledInTurnAnswerAlike) {
   const auto& [engine, kind] = GetParam();
-  CheckedEngine first(engine, "the first of two, " + story_of(kind, kBodies, kSeed));
-  CheckedEngine second(engine, "the second of two, " + story_of(kind, kBodies, kSeed));
-  RandomCaller first_caller(first, kind, kBodies, kSeed);
-  RandomCaller second_caller(second, kind, kBodies, kSeed);
+  CheckedEngine first(engine, "the first of two, " + story_of(kind, kBodiesOfRuns, kSeed));
+  CheckedEngine second(engine, "the second of two, " + story_of(kind, kBodiesOfRuns, kSeed));
+  RandomCaller first_caller(first, kind, kBodiesOfRuns, kSeed);
+  RandomCaller second_caller(second, kind, kBodiesOfRuns, kSeed);
   ASSERT_TRUE(first_caller.fill());
   ASSERT_TRUE(second_caller.fill());
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kStepsOfRuns; ++step) {
     ASSERT_TRUE(first_caller.step());
     ASSERT_TRUE(second_caller.step());
     ASSERT_TRUE(first.answer() == second.answer()) << "step " << step;

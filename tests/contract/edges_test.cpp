@@ -17,10 +17,6 @@ using testing::IsEmpty;
 constexpr float kDenormal = std::numeric_limits<float>::denorm_min();
 
 /// A box with edge 1 whose lower corner is at (x, 0, 0).
-Aabb cube_at(float x) {
-  return {{x, 0, 0}, {x + 1, 1, 1}};
-}
-
 /// Short cases on one engine; update() and the calls compare with the oracle besides.
 class EdgesContract : public PerEngine {
  protected:

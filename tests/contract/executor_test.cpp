@@ -16,19 +16,19 @@
 namespace cellsweep::contract {
 namespace {
 
-constexpr std::size_t kBodies = effort(80, 60, 50);
-constexpr int kSteps = effort(12, 6, 3);
+constexpr std::size_t kBodiesOfExecutors = effort(80, 60, 50);
+constexpr int kStepsOfExecutors = effort(12, 6, 3);
 
 Broadphase on(std::shared_ptr<Executor> executor, unsigned threads = kConcurrency) {
   return std::move(*make_broadphase(StreamOptions{.threads = threads, .executor = std::move(executor)}));
 }
 
 std::vector<Answer> answers_of(Broadphase engine, const BoxKind& kind) {
-  CheckedEngine checked(std::move(engine), story_of(kind, kBodies, 3));
-  RandomCaller caller(checked, kind, kBodies, 3);
+  CheckedEngine checked(std::move(engine), story_of(kind, kBodiesOfExecutors, 3));
+  RandomCaller caller(checked, kind, kBodiesOfExecutors, 3);
   std::vector<Answer> answers;
   testing::AssertionResult good = caller.fill();
-  for (int step = 0; good && step < kSteps; ++step) {
+  for (int step = 0; good && step < kStepsOfExecutors; ++step) {
     good = caller.step();
     answers.push_back(checked.answer());
   }

@@ -20,10 +20,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A box with edge 1 whose lower corner is at (x, 0, 0).
-Aabb cube_at(float x) {
-  return {{x, 0, 0}, {x + 1, 1, 1}};
-}
-
 /// An engine that can be told how many pairs there may be.
 struct LimitedEngine {
   const char* label;

@@ -105,7 +105,7 @@ using FloatEnvironmentContract = PerEngine;
 TEST_P(FloatEnvironmentContract, IsTheCallersAndChangesNoAnswer) {
   for (const char* name : {"uniform", "last_bits", "around_zero", "extreme_values"}) {
     const BoxKind& kind = box_kind(name);
-    for (std::uint64_t seed = 0; seed < effort(4U, 2U, 1U); ++seed) {
+    for (std::uint64_t seed = 0; seed < repeated(4U, effort(4U, 1U, 1U)); ++seed) {
       CheckedEngine checked(GetParam(), story_of(kind, 40, seed) + ", floating-point settings of all kinds");
       checked.surround_calls(Environment(seed));
       RandomCaller caller(checked, kind, 40, seed);

@@ -19,10 +19,6 @@ namespace cellsweep::contract {
 namespace {
 
 /// A box with edge 1 whose lower corner is at (x, 0, 0).
-Aabb cube_at(float x) {
-  return {{x, 0, 0}, {x + 1, 1, 1}};
-}
-
 TEST(DefaultBroadphase, IsStreamAndReadyForUse) {
   Broadphase broadphase;
   EXPECT_EQ(broadphase.name(), "stream");

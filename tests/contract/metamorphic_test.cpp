@@ -105,11 +105,18 @@ using Change = std::function<void(Telling&, Random&)>;
 
 class MetamorphicContract : public PerEngineAndKind {
  protected:
-  /// Plays scenes as they are and as each of the changes tells them.
-  void expect_no_difference(const std::vector<Change>& changes) {
+  /// Plays scenes as they are and as each of the changes tells them. In the gate one scene for each kind of
+  /// boxes, told in one of the ways: an engine meets all sizes and all ways by the time that it has met all
+  /// kinds.
+  void expect_no_difference(const std::vector<Change>& all_changes) {
     const auto& [engine, kind] = GetParam();
+    const std::size_t turn = turn_of(kind);
     const auto room = static_cast<std::size_t>(make(engine).capacity().bodies);
-    for (std::uint64_t seed = 0; seed < effort(4, 1, 1); ++seed) {
+    const std::vector<Change> changes =
+        is_long() ? all_changes : std::vector<Change>{all_changes[turn % all_changes.size()]};
+    constexpr std::uint64_t kSeeds = 4;
+    const std::uint64_t first = is_long() ? 0 : turn % kSeeds;
+    for (std::uint64_t seed = first; seed < (is_long() ? kSeeds : first + 1); ++seed) {
       const std::size_t bodies = std::min<std::size_t>(20 + 13 * seed, room);
       const Film film = make_film(kind, bodies, seed);
       const Report plain = play(engine, plain_telling(bodies), film);
@@ -166,7 +173,7 @@ TEST_P(MetamorphicContract, WhichBodyHasWhichIdDoesNotMatter) {
 TEST_P(MetamorphicContract, WhichAxisIsWhichDoesNotMatter) {
   constexpr std::array<std::size_t, 3> kOrders[] = {{1, 2, 0}, {2, 0, 1}, {0, 2, 1}};
   std::vector<Change> changes;
-  for (const auto& from : std::span(kOrders).first(effort(3, 1))) {
+  for (const auto& from : kOrders) {
     changes.emplace_back([from](Telling& telling, Random&) {
       telling.transform = [from](const Aabb& box) {
         return Aabb{{box.min[from[0]], box.min[from[1]], box.min[from[2]]},
@@ -179,7 +186,7 @@ TEST_P(MetamorphicContract, WhichAxisIsWhichDoesNotMatter) {
 
 TEST_P(MetamorphicContract, MirroringAnAxisDoesNotMatter) {
   std::vector<Change> changes;
-  for (std::size_t axis = 0; axis < effort(3, 1); ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     changes.emplace_back([axis](Telling& telling, Random&) {
       telling.transform = [axis](Aabb box) {
         box.min[axis] = -box.min[axis];
@@ -197,7 +204,7 @@ class ScalingContract : public MetamorphicContract {};
 TEST_P(ScalingContract, ScalingByAPowerOfTwoDoesNotMatter) {
   constexpr int kExponents[] = {-40, -1, 3, 60};
   std::vector<Change> changes;
-  for (const int exponent : std::span(kExponents).first(effort(4, 1))) {
+  for (const int exponent : kExponents) {
     changes.emplace_back([exponent](Telling& telling, Random&) {
       telling.transform = [exponent](Aabb box) {
         for (float& value : box.min) value = std::ldexp(value, exponent);

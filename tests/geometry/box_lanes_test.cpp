@@ -8,21 +8,17 @@
 #include <cfloat>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 #include "cellsweep/engine/slots.h"
 #include "contract/box_kinds.h"
 #include "geometry/canonical.h"
+#include "geometry/numbers.h"
 
 namespace cellsweep {
 namespace {
 
 using contract::box_text;
-
-constexpr float kDenormal = std::numeric_limits<float>::denorm_min();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 constexpr Aabb kBox = {{1, 2, 3}, {4, 5, 6}};
 

@@ -8,16 +8,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include "contract/box_kinds.h"
+#include "geometry/numbers.h"
 
 namespace cellsweep {
 namespace {
-
-constexpr float kDenormal = std::numeric_limits<float>::denorm_min();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 /// Bits, so that −0 and 0 are told apart.
 std::uint32_t bits(float value) {

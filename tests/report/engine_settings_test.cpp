@@ -10,13 +10,13 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-using ::testing::Pair;
 
 const SettingValues kMixed = {{"threads", "2"}, {"pair_map_bytes", "4096"}, {"threads", "3"}};
 
 TEST(EngineSettings, GoToTheEnginesThatHaveThem) {
-  EXPECT_THAT(values_for("control", kMixed), ElementsAre(Pair("pair_map_bytes", "4096")));
-  EXPECT_THAT(values_for("stream", kMixed), ElementsAre(Pair("threads", "2"), Pair("threads", "3")));
+  EXPECT_THAT(values_for("control", kMixed), ElementsAre(testing::Pair("pair_map_bytes", "4096")));
+  EXPECT_THAT(values_for("stream", kMixed),
+              ElementsAre(testing::Pair("threads", "2"), testing::Pair("threads", "3")));
   EXPECT_THAT(values_for("nosuch", kMixed), IsEmpty());
 }
 

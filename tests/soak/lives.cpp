@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "contract/checked_engine.h"
 #include "contract/contract_engines.h"
 #include "contract/random_caller.h"
+#include "fuzz/calls.h"
 #include "report/verify.h"
 
 namespace cellsweep::soak {
@@ -23,6 +25,7 @@ constexpr std::size_t kBodies[] = {1, 2, 3, 7, 16, 33, 100, 250};
 constexpr std::size_t kSceneBodies[] = {60, 200, 700, 3000};
 constexpr int kSteps = 40;
 constexpr std::size_t kFrames = 25;
+constexpr std::size_t kBytes = 400;
 
 /// Of an engine whose SPU programs are interpreted.
 constexpr std::size_t kBodiesOfSlow = 33;
@@ -51,6 +54,14 @@ Outcome live_by_calls(const ContractEngine& engine, Random& random, std::uint64_
   }
   if (!right) outcome.failure = right.message();
   return outcome;
+}
+
+/// `stream` alone: what the fuzzer does, from bytes that nothing guides.
+Outcome live_by_bytes(Random& random) {
+  std::vector<std::uint8_t> bytes(1 + random.below(kBytes));
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.bits());
+  fuzz::CallsOutcome calls = fuzz::make_calls(bytes);
+  return {std::move(calls.story), calls.updates, calls.pairs, std::move(calls.failure)};
 }
 
 SceneSettings random_settings(Random& random, std::uint64_t seed) {
@@ -108,6 +119,7 @@ Outcome live_in_scene(const ContractEngine& engine, Random& random, std::uint64_
 
 Outcome live(std::uint64_t seed) {
   Random random(seed);
+  if (random.one_in(8)) return live_by_bytes(random);
   const ContractEngine& engine = one_of(random, contract::contract_engines());
   return random.one_in(2) ? live_by_calls(engine, random, seed) : live_in_scene(engine, random, seed);
 }

@@ -16,7 +16,7 @@ struct Outcome {
 };
 
 /// Random calls on a kind of boxes, or frames of a scene, on any engine with any settings that the contract
-/// suite knows. The same seed lives the same life.
+/// suite knows; or bytes taken for calls on `stream`. The same seed lives the same life.
 Outcome live(std::uint64_t seed);
 
 }  // namespace cellsweep::soak

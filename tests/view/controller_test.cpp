@@ -137,6 +137,44 @@ TEST_F(Keys, ShowFatBoxesAndCellsOfStreamAndHideThem) {
   EXPECT_THAT(controller_.complaint(), IsEmpty());
 }
 
+TEST_F(Keys, ChooseAToolAndMakeItsBoxLargerAndSmaller) {
+  EXPECT_EQ(controller_.probe().tool(), Tool::none);
+  controller_.press('T');
+  EXPECT_EQ(controller_.probe().tool(), Tool::box);
+  const auto edge = [&] { return controller_.probe().box().max[0] - controller_.probe().box().min[0]; };
+  const float before = edge();
+  controller_.press('G');
+  controller_.press('G', true);
+  EXPECT_GT(edge(), 1.4F * before);
+  for (int press = 0; press < 3; ++press) controller_.press('S');
+  EXPECT_LT(edge(), before);
+  controller_.press('T');
+  EXPECT_EQ(controller_.probe().tool(), Tool::ray);
+}
+
+TEST_F(Keys, LeaveTheToolInAWorldOfAnotherSize) {
+  const auto other = std::move(*Simulation::make({.recording = std::nullopt,
+                                                  .scene = {.scene = "uniform", .bodies = 64},
+                                                  .engine = "stream",
+                                                  .settings = {}}));
+  Controller controller(*other);
+  controller.press('T');
+  const Aabb before = controller.probe().box();
+  for (int press = 0; press < 3; ++press) controller.press('B');
+  EXPECT_EQ(controller.probe().tool(), Tool::box);
+  EXPECT_GT(controller.probe().box().max[0] - controller.probe().box().min[0], before.max[0] - before.min[0]);
+}
+
+TEST_F(Keys, TheMouseDragsARayThroughThePicture) {
+  controller_.press('T');
+  controller_.press('T');
+  controller_.grab({450, 300}, 900, 600);
+  const auto middle = controller_.probe().ray().direction;
+  EXPECT_EQ(controller_.probe().ray().origin[1], controller_.camera().eye().y());
+  controller_.drag({0, 300}, 900, 600);
+  EXPECT_NE(controller_.probe().ray().direction, middle);
+}
+
 TEST_F(Keys, SayThatAnotherEngineHasNoCellsToShow) {
   controller_.use_engine("control");
   controller_.press('C');

@@ -103,5 +103,19 @@ TEST(OrbitCamera, HasAllOfTheWorldBetweenItsNearAndFarPlanes) {
   }
 }
 
+TEST(OrbitCamera, LooksThroughThePointsOfItsPicture) {
+  OrbitCamera camera(kWorld);
+  camera.orbit(0.7F, -0.3F);
+  for (const auto& [width, height] : {std::pair{kWidth, kHeight}, std::pair{300.0F, 400.0F}}) {
+    for (const Vector2f& pixel : {Vector2f(0, 0), Vector2f(150, 220), Vector2f(299, 399)}) {
+      const Look look = camera.look_through(pixel, width, height);
+      EXPECT_EQ(look.eye, camera.eye());
+      EXPECT_NEAR(look.direction.norm(), 1, 1e-5F);
+      EXPECT_LT(look.direction.dot(look.back), 0);
+      EXPECT_LT((camera.project(look.eye + 30 * look.direction, width, height) - pixel).norm(), 0.05F);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cellsweep::view

@@ -13,11 +13,7 @@
 namespace cellsweep {
 namespace {
 
-std::unique_ptr<FrameSource> frames_of(const SceneSettings& settings) {
-  auto frames = make_scene_frames(settings);
-  EXPECT_TRUE(frames.ok()) << frames.status().message;
-  return std::move(*frames);
-}
+using test::frames_of;
 
 std::vector<BodyId> copy(std::span<const BodyId> ids) {
   return {ids.begin(), ids.end()};

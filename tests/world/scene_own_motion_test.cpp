@@ -15,11 +15,7 @@
 namespace cellsweep {
 namespace {
 
-std::unique_ptr<FrameSource> frames_of(const SceneSettings& settings) {
-  auto frames = make_scene_frames(settings);
-  EXPECT_TRUE(frames.ok()) << frames.status().message;
-  return std::move(*frames);
-}
+using test::frames_of;
 
 std::vector<Aabb> copy(std::span<const Aabb> boxes) {
   return {boxes.begin(), boxes.end()};

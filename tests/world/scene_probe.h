@@ -2,15 +2,20 @@
 /// What the tests of worlds and scenes look at: boxes as bits, and pairs counted the slow way.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/pair.h"
+#include "cellsweep/world/scene.h"
 #include "cellsweep/world/world.h"
 
 namespace cellsweep::test {
@@ -36,6 +41,12 @@ inline std::size_t count_pairs(std::span<const Aabb> boxes) {
     for (std::size_t j = i + 1; j < boxes.size(); ++j) pairs += overlap(boxes[i], boxes[j]) ? 1 : 0;
   }
   return pairs;
+}
+
+inline std::unique_ptr<FrameSource> frames_of(const SceneSettings& settings) {
+  auto frames = make_scene_frames(settings);
+  EXPECT_TRUE(frames.ok()) << frames.status().message;
+  return std::move(*frames);
 }
 
 inline std::vector<Aabb> boxes_of(const World& world) {

@@ -15,8 +15,19 @@
 #include "cellsweep/export.h"
 #include "cellsweep/filter.h"
 #include "cellsweep/status.h"
+#include "cellsweep/vector_isa.h"
 
 namespace cellsweep {
+
+namespace stream {
+struct Node;
+}  // namespace stream
+
+/// The cells of engine `stream`, or of one that shares them, for queries to walk through.
+struct CellsToQuery {
+  const stream::Node* root = nullptr;  ///< null: there are none, and queries look at all boxes
+  VectorIsa isa = VectorIsa::best;     ///< what the engine was made with
+};
 
 /// What happened since the last update that succeeded. A slot is in one list at most, and there once.
 struct BodyChanges {
@@ -69,12 +80,16 @@ class CELLSWEEP_API Engine {
   /// Finds the pairs as they are with these changes. Fills the phases and counters of `statistics` and adds
   /// to its bytes.
   virtual Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) = 0;
+
+  /// As of the last update, valid until the next one. From any number of threads between updates.
+  virtual CellsToQuery cells() const { return {}; }
 };
 
 /// Makes an engine, again after one has failed. Errors become those of make_broadphase() and update().
 using EngineMaker = std::function<Result<std::unique_ptr<Engine>>()>;
 
 struct HandleParts;
+struct LastUpdate;
 
 /// How a Broadphase gets its engine, and how an engine's own functions get at it again.
 struct CELLSWEEP_API EngineAccess {
@@ -90,6 +105,9 @@ struct CELLSWEEP_API EngineAccess {
 
   /// By slot, as of the last update.
   static std::span<const Aabb> boxes_of(const Broadphase& broadphase);
+
+  /// What queries read.
+  static LastUpdate last_update(const Broadphase& broadphase);
 };
 
 }  // namespace cellsweep

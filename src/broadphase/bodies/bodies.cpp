@@ -2,40 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
-#include <utility>
 
 #include "base/memory/array.h"
 #include "base/text.h"
 #include "broadphase/bodies/box_checks.h"
 #include "broadphase/bodies/refusals.h"
+#include "broadphase/bodies/seen_bodies.h"
 
 namespace cellsweep {
-namespace {
-
-/// Bodies as the last update saw them, whatever became of their ids since.
-class SeenBodies {
- public:
-  SeenBodies(const IdTable& table, const StagedBoxes& boxes) : table_(table), boxes_(boxes) {
-    gone_.reserve(boxes.removed().size());
-    for (const Slot slot : boxes.removed()) gone_.emplace_back(table.id(slot), slot);
-    std::sort(gone_.begin(), gone_.end());
-  }
-
-  /// The slot that the body of that id had, or kNoSlot.
-  Slot find(BodyId id) const {
-    const Slot slot = table_.find(id);
-    if (slot != kNoSlot && boxes_.state(slot) != kInserted) return slot;
-    const auto found = std::lower_bound(gone_.begin(), gone_.end(), std::pair(id, Slot{0}));
-    return found != gone_.end() && found->first == id ? found->second : kNoSlot;
-  }
-
- private:
-  const IdTable& table_;
-  const StagedBoxes& boxes_;
-  std::vector<std::pair<BodyId, Slot>> gone_;
-};
-
-}  // namespace
 
 Status Bodies::insert(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes,
                       std::span<const BodyFilter> filters, std::string_view engine,

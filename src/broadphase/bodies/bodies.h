@@ -42,6 +42,7 @@ class Bodies {
 
   /// By slot.
   std::span<const Aabb> all_boxes() const { return boxes_.boxes(); }
+  const StagedBoxes& staged() const { return boxes_; }
 
   BodyChanges begin_update();
   void undo();

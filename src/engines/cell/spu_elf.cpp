@@ -1,6 +1,7 @@
 #include "engines/cell/spu_elf.h"
 
-extern "C" spe_program_handle_t cell_paper_spu, cell_brute_spu, cell_resident_spu, cell_stream_spu;
+#include "engines/cell/spu_programs.h"
+
 #if defined(SPU_EMU_HAS_ELF)
 extern "C" spe_program_handle_t cell_paper_spu_elf, cell_brute_spu_elf, cell_resident_spu_elf,
     cell_stream_spu_elf;

@@ -1,52 +1,29 @@
 #include "cellsweep/engine/piece_finder.h"
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "base/crew.h"
 #include "base/text.h"
-#include "base/thread_pool.h"
-#include "base/tuning.h"
 #include "engines/common/handle_parts.h"
+#include "engines/stream/common_options.h"
 #include "engines/stream/kernels/kernel.h"
 #include "engines/stream/stream.h"
 
 namespace cellsweep::stream {
 namespace {
 
-/// More than any machine has; more are a slip of the pen.
-constexpr unsigned kMostThreads = 1024;
-
 /// A fat box with more would reach from one end of the numbers to the other.
 constexpr float kLargestMargin = 1e30F;
 
-std::shared_ptr<Crew> make_crew(const StreamOptions& options) {
-  const auto choice = options.threads == 0 ? Crew::Choice::by_gain : Crew::Choice::given;
-  const unsigned machine = std::min(machine_threads(), tuning::kMostWorkers);
-  const unsigned wanted = options.threads == 0 ? machine : options.threads;
-  if (!options.executor) return std::make_shared<Crew>(std::make_shared<ThreadPool>(wanted), wanted, choice);
-  const unsigned there = std::max(1U, options.executor->concurrency());
-  const unsigned workers = std::min(there, options.threads == 0 ? tuning::kMostWorkers : options.threads);
-  return std::make_shared<Crew>(options.executor, workers, choice);
-}
-
 Status check(const StreamOptions& options) {
-  if (options.threads > kMostThreads) {
-    return Status::bad_option("threads",
-                              text("threads is ", options.threads, "; at most ", kMostThreads, " are taken."),
-                              options.threads, kMostThreads);
-  }
+  if (options.threads > kMostThreads) return too_many_threads(options.threads);
   if (!(options.margin >= 0 && options.margin <= kLargestMargin)) {
     return Status::bad_option("margin",
                               text("margin is ", options.margin, "; it must be a length from 0 to 1e+30."));
   }
   if (find_kernels(options.isa) != nullptr) return {};
-  return Status::bad_option(
-      "isa",
-      "This machine or build does not have the instruction set that isa names; leave the "
-      "choice to the engine.",
-      static_cast<std::uint64_t>(options.isa));
+  return no_such_isa(options.isa);
 }
 
 }  // namespace

@@ -5,16 +5,11 @@
 #include "base/text.h"
 #include "base/tuning.h"
 #include "engines/stream/cells/cell_bounds.h"
+#include "engines/stream/common_options.h"
 #include "geometry/bounds.h"
 
 namespace cellsweep::stream {
 namespace {
-
-Status too_many_pairs(std::size_t most) {
-  return Status::over_capacity(
-      text("There are more than ", most, " pairs, the most that max_pairs allows; raise it, or set it to 0."),
-      most + 1, most, "max_pairs");
-}
 
 StreamParts with_a_limit(StreamParts parts) {
   if (parts.max_pairs == 0) parts.max_pairs = Search::kAnyNumber;

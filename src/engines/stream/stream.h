@@ -40,6 +40,9 @@ class Stream final : public Engine, public HasFinder {
   /// A look inside; `boxes` are those of the last update, by slot.
   StreamView view(std::span<const Aabb> boxes) const;
   const PieceFinder* finder() const override { return parts_.finder.get(); }
+  CellsToQuery cells() const override {
+    return {search_.has_cells() ? &search_.cells().root() : nullptr, parts_.kernels->isa};
+  }
 
  private:
   /// The kinds of update, counted in the statistics.

@@ -93,11 +93,11 @@ TEST_F(MoveCheckTest, SaysWhetherAnybodyMoves) {
 }
 
 TEST_F(MoveCheckTest, SaysThatABoxIsNotCanonical) {
-  constexpr float kDenormal = std::numeric_limits<float>::denorm_min();
+  constexpr float kSmallest = std::numeric_limits<float>::denorm_min();
   hold(ids_from(0, 40));
   for (const std::size_t place : {0, 1, 31, 32, 39}) {
     std::vector<Aabb> boxes = boxes_from(0, 40);
-    boxes[place] = {{-0.0F, kDenormal, -1}, {kDenormal, 1, -0.0F}};
+    boxes[place] = {{-0.0F, kSmallest, -1}, {kSmallest, 1, -0.0F}};
     run(ids_from(0, 40), boxes);
     expect_right(ids_from(0, 40));
     EXPECT_FALSE(check_.clean()) << place;

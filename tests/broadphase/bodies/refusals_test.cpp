@@ -19,19 +19,19 @@ using testing::Not;
 
 using Ids = std::vector<BodyId>;
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr Aabb kGood = {{0, 0, 0}, {1, 1, 1}};
 constexpr Aabb kReversed = {{0, 7.5F, 0}, {1, 3.25F, 1}};
 
-IdTable table_of(const Ids& ids) {
+IdTable table_with(const Ids& ids) {
   IdTable table;
   Vector<Slot> slots;
   EXPECT_TRUE(table.insert(ids, slots));
   return table;
 }
 
-Ids ids_from(BodyId first, std::size_t count) {
+Ids ids_upwards(BodyId first, std::size_t count) {
   Ids ids(count);
   std::iota(ids.begin(), ids.end(), first);
   return ids;
@@ -67,7 +67,7 @@ TEST(InvalidBoxes, NameTheBodyTheAxisAndTheNumbers) {
   EXPECT_THAT(reversed.message,
               AllOf(HasSubstr("body 4242"), HasSubstr(" y"), HasSubstr("7.5"), HasSubstr("3.25")));
 
-  const Status infinite = find_invalid_boxes(Ids{0}, std::vector<Aabb>{{{0, 0, 0}, {1, 1, kInfinity}}});
+  const Status infinite = find_invalid_boxes(Ids{0}, std::vector<Aabb>{{{0, 0, 0}, {1, 1, kInfinite}}});
   expect_bodies(infinite, StatusCode::invalid_box, {0});
   EXPECT_THAT(infinite.message,
               AllOf(HasSubstr("body 0"), HasSubstr(" z"), HasSubstr("inf"), HasSubstr("not finite")));
@@ -84,16 +84,16 @@ TEST(InvalidBoxes, OfBodiesWithoutIdsAreNamedByTheirPlaces) {
 }
 
 TEST(InvalidBoxes, AreAllCountedThoughAsManyAreNamedAsAStatusHasRoomFor) {
-  const Ids ids = ids_from(100, 50);
+  const Ids ids = ids_upwards(100, 50);
   const Status status = find_invalid_boxes(ids, std::vector<Aabb>(50, kReversed));
   EXPECT_EQ(status.number, 50U);
-  EXPECT_EQ(status.bodies, ids_from(100, Status::kMostBodies));
+  EXPECT_EQ(status.bodies, ids_upwards(100, Status::kMostBodies));
   EXPECT_THAT(status.message,
               AllOf(HasSubstr("body 115"), Not(HasSubstr("body 116")), HasSubstr("and 34 more")));
 }
 
 TEST(UnknownBodies, AreThoseThatTheTableDoesNotHoldInTheOrderOfTheCall) {
-  const IdTable table = table_of({1, 2, 0xffffffff});
+  const IdTable table = table_with({1, 2, 0xffffffff});
   EXPECT_TRUE(find_unknown(table, {}).ok());
   EXPECT_TRUE(find_unknown(table, Ids{2, 0xffffffff, 1, 2}).ok());
   expect_bodies(find_unknown(table, Ids{77}), StatusCode::unknown_body, {77});
@@ -103,7 +103,7 @@ TEST(UnknownBodies, AreThoseThatTheTableDoesNotHoldInTheOrderOfTheCall) {
 }
 
 TEST(HeldBodies, AreThoseThatTheTableHolds) {
-  const IdTable table = table_of({1, 2, 0xffffffff});
+  const IdTable table = table_with({1, 2, 0xffffffff});
   EXPECT_TRUE(find_held(table, Ids{0, 3}).ok());
   const Status status = find_held(table, Ids{0xffffffff, 3, 1});
   expect_bodies(status, StatusCode::duplicate_body, {0xffffffff, 1});
@@ -121,11 +121,11 @@ TEST(BodiesListedTwice, AreEachNamedOnceInTheOrderOfTheCall) {
 }
 
 TEST(BodiesListedTwice, AreAllCountedThoughNotAllAreNamed) {
-  Ids ids = ids_from(0, 20);
+  Ids ids = ids_upwards(0, 20);
   ids.insert(ids.end(), ids.rbegin(), ids.rend());
   const Status status = find_listed_twice(ids);
   EXPECT_EQ(status.number, 20U);
-  EXPECT_EQ(status.bodies, ids_from(0, Status::kMostBodies));
+  EXPECT_EQ(status.bodies, ids_upwards(0, Status::kMostBodies));
   EXPECT_THAT(status.message, AllOf(HasSubstr("0, 1, 2"), HasSubstr("15 and 4 more")));
 }
 

@@ -97,26 +97,26 @@ class PairOrderTest : public testing::TestWithParam<unsigned> {
 
 constexpr std::size_t kSlots = 1500;
 
-Ids ids_from(BodyId first, BodyId step) {
+Ids ids_in_steps(BodyId first, BodyId step) {
   Ids ids(kSlots);
   for (BodyId i = 0; i < kSlots; ++i) ids[i] = first + step * i;
   return ids;
 }
 
 TEST_P(PairOrderTest, WhereIdsAreSlots) {
-  hold(ids_from(0, 1));
+  hold(ids_in_steps(0, 1));
   ASSERT_TRUE(table_.is_identical());
   expect_right();
 }
 
 TEST_P(PairOrderTest, WhereSlotsAreInTheOrderOfIds) {
-  hold(ids_from(7, 2'000'003));
+  hold(ids_in_steps(7, 2'000'003));
   ASSERT_TRUE(table_.is_ascending() && !table_.is_identical());
   expect_right();
 }
 
 TEST_P(PairOrderTest, WhereIdsAreInNoOrder) {
-  Ids ids = ids_from(0xffffffff, ~BodyId{0} - 2'000'003);
+  Ids ids = ids_in_steps(0xffffffff, ~BodyId{0} - 2'000'003);
   random_.shuffle(ids);
   hold(ids);
   ASSERT_FALSE(table_.is_ascending());
@@ -124,21 +124,21 @@ TEST_P(PairOrderTest, WhereIdsAreInNoOrder) {
 }
 
 TEST_P(PairOrderTest, WhereDenseIdsAreInNoOrder) {
-  Ids ids = ids_from(0, 1);
+  Ids ids = ids_in_steps(0, 1);
   random_.shuffle(ids);
   hold(ids);
   expect_right();
 }
 
 TEST_P(PairOrderTest, WhereIdsDescend) {
-  Ids ids = ids_from(0, 2'000'003);
+  Ids ids = ids_in_steps(0, 2'000'003);
   std::reverse(ids.begin(), ids.end());
   hold(ids);
   expect_right();
 }
 
 TEST_P(PairOrderTest, AfterBodiesCameAndWent) {
-  hold(ids_from(0, 1));
+  hold(ids_in_steps(0, 1));
   expect_right();
   for (const BodyId id : {5U, 900U, 1499U}) {
     replace(id, id + 1'000'000);
@@ -172,7 +172,7 @@ TEST_P(PairOrderTest, IsRightWhenAllBodiesHaveBeenReplacedByOthers) {
 }
 
 TEST_P(PairOrderTest, IsRightAfterMemoryFailed) {
-  Ids ids = ids_from(3, 2'000'003);
+  Ids ids = ids_in_steps(3, 2'000'003);
   random_.shuffle(ids);
   for (const bool in_order : {true, false}) {
     for (const std::size_t count : {30, 3000}) {
@@ -198,7 +198,7 @@ TEST_P(PairOrderTest, IsRightAfterMemoryFailed) {
 }
 
 TEST_P(PairOrderTest, NeedsNoMoreMemoryForAsManyPairsAgain) {
-  Ids ids = ids_from(3, 2'000'003);
+  Ids ids = ids_in_steps(3, 2'000'003);
   random_.shuffle(ids);
   hold(ids);
   expect_right(5000);

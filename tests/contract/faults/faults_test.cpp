@@ -68,11 +68,12 @@ class FaultContract : public PerEngine {
     return failed;
   }
 
-  /// For each n, until nothing fails any more.
+  /// For each of the first n, then for some, until nothing fails any more.
   static void live_with_each(Scarce scarce, Lasts lasts) {
+    const std::uint64_t each_of_first = repeated(200, effort(60, 40, 40));
+    const std::uint64_t then_one_in = repeated(7, effort(23, 41, 101));
     std::uint64_t n = 1;
-    while (live_with({scarce, n, lasts}) && !HasFailure())
-      n += n < effort(200U, 40U, 40U) ? 1 : effort(7, 41, 101);
+    while (live_with({scarce, n, lasts}) && !HasFailure()) n += n < each_of_first ? 1 : then_one_in;
   }
 };
 

@@ -63,13 +63,13 @@ Aabb rod(Random& random, std::size_t axis) {
 /// One box of each world, of so many.
 using MakeBox = std::function<Aabb(Random& random, std::size_t body, std::size_t bodies)>;
 
-struct World {
+struct CostlyWorld {
   const char* name;
   MakeBox make;
   double most_tests;  ///< comparisons for each body and pair
 };
 
-void PrintTo(const World& world, std::ostream* out) {
+void PrintTo(const CostlyWorld& world, std::ostream* out) {
   *out << world.name;
 }
 
@@ -80,7 +80,7 @@ MakeBox dust_where_sampled(float edge, float times) {
   };
 }
 
-const World kWorlds[] = {
+const CostlyWorld kWorlds[] = {
     {"sheets_but_for_dust_where_boxes_are_sampled", dust_where_sampled(1e-3F, 1000), 64},
     {"sheets_a_little_longer_than_sampled_dust", dust_where_sampled(0.1F, 4), 64},
     {"sheets_just_short_of_large", dust_where_sampled(0.08F, 11.9F), 64},
@@ -162,7 +162,7 @@ const World kWorlds[] = {
      64},
 };
 
-std::vector<Aabb> boxes_of(const World& world, std::size_t count) {
+std::vector<Aabb> boxes_of(const CostlyWorld& world, std::size_t count) {
   Random random(7);
   std::vector<Aabb> boxes;
   for (std::size_t body = 0; body < count; ++body) boxes.push_back(world.make(random, body, count));
@@ -181,9 +181,9 @@ void expect_bounded(const Broadphase& engine, std::size_t bodies, std::uint64_t 
             kMostBytesAlways + kMostBytesOfBody * count + kMostBytesOfPair * pairs);
 }
 
-class Bounds : public testing::TestWithParam<World> {
+class Bounds : public testing::TestWithParam<CostlyWorld> {
  protected:
-  const World& world() const { return GetParam(); }
+  const CostlyWorld& world() const { return GetParam(); }
 };
 
 TEST_P(Bounds, HoldWhenAllIsNew) {
@@ -197,7 +197,7 @@ TEST_P(Bounds, HoldWhenAllIsNew) {
 }
 
 /// Dust, so many of whose bodies become bodies of this world in each of two updates.
-void expect_bounded_changes(const World& world, std::size_t count, std::size_t every) {
+void expect_bounded_changes(const CostlyWorld& world, std::size_t count, std::size_t every) {
   SCOPED_TRACE(testing::Message() << count << " bodies, one in " << every);
   const std::vector<Aabb> target = boxes_of(world, count);
   Random random(3);

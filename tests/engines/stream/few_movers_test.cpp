@@ -134,9 +134,9 @@ TEST_P(FewMovers, LeaveExactlyThePairsOfBruteForce) {
 INSTANTIATE_TEST_SUITE_P(Threads, FewMovers, testing::Values(1U, 2U));
 
 /// Comparisons of two boxes that the last update made.
-class Work {
+class CountedWork {
  public:
-  explicit Work(const Broadphase& engine) : engine_(engine) { of_update(); }
+  explicit CountedWork(const Broadphase& engine) : engine_(engine) { of_update(); }
   std::uint64_t of_update() {
     const std::uint64_t now = counter(engine_, "boxes compared");
     return now - std::exchange(before_, now);
@@ -152,7 +152,7 @@ TEST(OneMover, CostsTheSameAmongFewAndAmongMany) {
     std::vector<Aabb> boxes = uniform_boxes(bodies, 5);
     Broadphase engine = engine_with(boxes);
     ASSERT_TRUE(engine.update().ok());
-    Work work(engine);
+    CountedWork work(engine);
     for (int frame = 0; frame < 20; ++frame) {
       Aabb& box = boxes[boxes.size() / 2];
       for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -22,13 +22,13 @@ void PrintTo(const Giant& giant, std::ostream* out) {
   *out << giant.name;
 }
 
-struct Work {
+struct GiantWork {
   std::uint64_t copies;
   std::uint64_t tests;
   std::uint64_t candidates;
 };
 
-Work work_of(const std::vector<Aabb>& boxes) {
+GiantWork work_on(const std::vector<Aabb>& boxes) {
   Broadphase engine = engine_with(boxes, {.threads = 1});
   EXPECT_TRUE(engine.update().ok());
   EXPECT_TRUE(boxes.size() > 10'000 / kScale || is_exact(engine, boxes));
@@ -42,14 +42,14 @@ TEST_P(GiantTest, CostsNoMoreThanTheBodiesItTouchesWhicheverItsSlot) {
   const auto& [giant, count] = GetParam();
   std::vector<Aabb> boxes = uniform_boxes(count / kScale, 9);
   const float world = 2 * std::cbrt(static_cast<float>(boxes.size()));
-  const Work without = work_of(boxes);
+  const GiantWork without = work_on(boxes);
   for (const std::size_t slot : {std::size_t{0}, boxes.size() / 2, boxes.size() - 1}) {
     std::vector<Aabb> with = boxes;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       with[slot].min[axis] = world / 2 - giant.half_length[axis] * world;
       with[slot].max[axis] = world / 2 + giant.half_length[axis] * world;
     }
-    const Work work = work_of(with);
+    const GiantWork work = work_on(with);
     EXPECT_LE(work.copies, 3 * without.copies) << "slot " << slot;
     EXPECT_LE(work.tests, 3 * without.tests) << "slot " << slot;
     EXPECT_LE(work.candidates, without.candidates + boxes.size());

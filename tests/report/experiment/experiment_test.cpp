@@ -18,7 +18,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-ExperimentSettings small() {
+ExperimentSettings small_experiment() {
   ExperimentSettings settings;
   settings.bodies = {64, 32, 64};
   settings.frames = 4;
@@ -36,7 +36,7 @@ bool is_there(const Curve& curve) {
 }
 
 TEST(Experiment, MeasuresEveryEngineThatHasACurveAtEverySize) {
-  const auto results = run_experiment(small());
+  const auto results = run_experiment(small_experiment());
   ASSERT_TRUE(results.ok()) << results.status().message;
   EXPECT_THAT(results->settings.bodies, ElementsAre(32, 64)) << "ascending, each once";
   EXPECT_THAT(results->wrong, ElementsAre());
@@ -58,7 +58,7 @@ TEST(Experiment, MeasuresEveryEngineThatHasACurveAtEverySize) {
 }
 
 TEST(Experiment, KeepsOrderBetweenItsTimes) {
-  const auto results = run_experiment(small());
+  const auto results = run_experiment(small_experiment());
   ASSERT_TRUE(results.ok());
   for (const CurveResult& curve : results->curves) {
     for (const auto& [bodies, times] : curve.points) {
@@ -72,7 +72,7 @@ TEST(Experiment, KeepsOrderBetweenItsTimes) {
 }
 
 TEST(Experiment, LeavesOutWhatAnEngineDoesNotHoldAndSaysSo) {
-  ExperimentSettings settings = small();
+  ExperimentSettings settings = small_experiment();
   settings.bodies = {5000};
   settings.frames = 1;
   settings.repetitions = 1;
@@ -84,8 +84,8 @@ TEST(Experiment, LeavesOutWhatAnEngineDoesNotHoldAndSaysSo) {
 }
 
 TEST(Experiment, SimulatesACellOnceAndTheSameInEveryRun) {
-  const auto one = run_experiment(small());
-  const auto other = run_experiment(small());
+  const auto one = run_experiment(small_experiment());
+  const auto other = run_experiment(small_experiment());
   ASSERT_TRUE(one.ok() && other.ok());
   for (const CurveResult& curve : one->curves) {
     if (curve.curve.part != Part::simulated_cell) continue;
@@ -98,7 +98,7 @@ TEST(Experiment, SimulatesACellOnceAndTheSameInEveryRun) {
 }
 
 TEST(Experiment, LeavesTheSimulatedCellOutWhereItIsNotWantedOrTooLarge) {
-  ExperimentSettings settings = small();
+  ExperimentSettings settings = small_experiment();
   settings.simulated_most_bodies = 40;
   const auto results = run_experiment(settings);
   ASSERT_TRUE(results.ok());
@@ -118,27 +118,27 @@ TEST(Experiment, LeavesTheSimulatedCellOutWhereItIsNotWantedOrTooLarge) {
 TEST(Experiment, KeepsTheRunsThatWereCompleteWhenItIsInterrupted) {
   const InterruptScope interrupts;
   std::raise(SIGINT);
-  const auto results = run_experiment(small());
+  const auto results = run_experiment(small_experiment());
   ASSERT_TRUE(results.ok());
   EXPECT_THAT(results->interrupted, HasSubstr("when 0 of "));
   EXPECT_THAT(results->curves, ElementsAre());
-  EXPECT_EQ(run_experiment(small())->interrupted, results->interrupted);
+  EXPECT_EQ(run_experiment(small_experiment())->interrupted, results->interrupted);
 }
 
 TEST(Experiment, SaysNothingOfAnInterruptionThatWasNone) {
-  EXPECT_EQ(run_experiment(small())->interrupted, "");
+  EXPECT_EQ(run_experiment(small_experiment())->interrupted, "");
 }
 
 TEST(Experiment, RefusesSettingsThatMeasureNothing) {
-  ExperimentSettings settings = small();
+  ExperimentSettings settings = small_experiment();
   settings.bodies = {};
   EXPECT_EQ(run_experiment(settings).status().setting, "bodies");
   settings.bodies = {64, 0};
   EXPECT_EQ(run_experiment(settings).status().setting, "bodies");
-  settings = small();
+  settings = small_experiment();
   settings.frames = 0;
   EXPECT_EQ(run_experiment(settings).status().setting, "frames");
-  settings = small();
+  settings = small_experiment();
   settings.repetitions = 0;
   EXPECT_EQ(run_experiment(settings).status().setting, "repetitions");
 }

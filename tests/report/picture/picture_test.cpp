@@ -20,7 +20,7 @@ BodyPose cube(float x, float y, float z, float half) {
   return {{x, y, z}, {half, half, half}};
 }
 
-PictureSettings small(unsigned threads = 1) {
+PictureSettings small_picture(unsigned threads = 1) {
   return {.width = 96, .height = 64, .samples = 4, .threads = threads};
 }
 
@@ -36,14 +36,14 @@ double middle(const Image& image, unsigned channel) {
   return sum / count;
 }
 
-Image traced(const Tableau& tableau, const PictureSettings& settings = small()) {
+Image traced(const Tableau& tableau, const PictureSettings& settings = small_picture()) {
   return std::move(*trace_picture(tableau, settings));
 }
 
 Image paper_scene(std::uint64_t seed, unsigned threads) {
   const SceneSettings scene{.bodies = 200, .seed = seed};
   const Aabb world = make_scene(scene)->bounds();
-  return traced(tableau_of(**make_scene_frames(scene), world), small(threads));
+  return traced(tableau_of(**make_scene_frames(scene), world), small_picture(threads));
 }
 
 TEST(Picture, ShowsABoxGreyAndACollidingOneGreen) {

@@ -6,8 +6,7 @@
 #include "base/text.h"
 #include "cellsweep/engine/phase_timer.h"
 #include "engines/cell/ppu/spe_counts.h"
-
-extern "C" spe_program_handle_t cell_brute_spu;
+#include "engines/cell/spu_programs.h"
 
 namespace cellsweep::cell {
 namespace {

@@ -6,8 +6,7 @@
 #include "cellsweep/engine/engine.h"
 #include "engines/cell/ppu/layout.h"
 #include "engines/cell/ppu/spe_counts.h"
-
-extern "C" spe_program_handle_t cell_stream_spu;
+#include "engines/cell/spu_programs.h"
 
 namespace cellsweep::cell {
 namespace {

@@ -61,6 +61,12 @@ struct CellBlock {
   friend bool operator==(const CellBlock&, const CellBlock&) = default;
 };
 
+/// The cells that a box reaches into, by their places on each axis.
+struct CellRange {
+  std::uint32_t low[3];
+  std::uint32_t high[3];
+};
+
 /// Cells that divide all of space: those at the border reach to infinity. Which cell a coordinate falls into
 /// never decreases with the coordinate, whatever rounding does; exactness rests on that and on nothing else.
 class Grid {
@@ -85,6 +91,13 @@ class Grid {
     const auto z = static_cast<std::uint32_t>(low[2]);
     return {x + row_ * y + plane_ * z, static_cast<std::uint32_t>(high[1]) - x,
             static_cast<std::uint32_t>(high[2]) - y, static_cast<std::uint32_t>(high[3]) - z};
+  }
+
+  CellRange range_of(const Aabb& box) const {
+    const Int4 low = cells_of(load4(box, 0), origin_min_, scale_min_, top_min_);
+    const Int4 high = cells_of(load4(box, 2), origin_max_, scale_max_, top_max_);
+    const auto place = [](std::int32_t lane) { return static_cast<std::uint32_t>(lane); };
+    return {{place(low[0]), place(low[1]), place(low[2])}, {place(high[1]), place(high[2]), place(high[3])}};
   }
 
   /// Calls `visit(cell, flags)` for each cell of a block, flags as in tags: the axes on which the box starts

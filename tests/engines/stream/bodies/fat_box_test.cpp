@@ -19,7 +19,7 @@ Aabb unit_at(float x) {
   return {{x, 0, 0}, {x + 1, 1, 1}};
 }
 
-bool encloses(const Aabb& hull, const Aabb& box) {
+bool surrounds(const Aabb& hull, const Aabb& box) {
   bool enclosed = true;
   for (std::size_t axis = 0; axis < 3; ++axis)
     enclosed = enclosed && hull.min[axis] <= box.min[axis] && box.max[axis] <= hull.max[axis];
@@ -39,8 +39,8 @@ TEST(FatBox, ReachesWhereTheBodyIsGoing) {
 TEST(FatBox, EnclosesTheBodyAsLongAsItKeepsItsCourse) {
   const Aabb fat = fat_box_of(kUnit, unit_at(0.0625F), {4});
   for (int update = 0; update <= 4; ++update)
-    EXPECT_TRUE(encloses(fat, unit_at(0.0625F + 0.0625F * static_cast<float>(update)))) << update;
-  EXPECT_FALSE(encloses(fat, unit_at(0.0625F * 6)));
+    EXPECT_TRUE(surrounds(fat, unit_at(0.0625F + 0.0625F * static_cast<float>(update)))) << update;
+  EXPECT_FALSE(surrounds(fat, unit_at(0.0625F * 6)));
 }
 
 TEST(FatBox, GrowsWithABoxThatGrows) {
@@ -83,7 +83,7 @@ TEST(FatBox, MayBeForLater) {
   EXPECT_EQ(fat, (Aabb{{0.1875F - kSlack, -kSlack, -kSlack}, {1.4375F + kSlack, 1 + kSlack, 1 + kSlack}}));
   for (int update = 0; update < 9; ++update) {
     const bool is_meant = update >= 2 && update <= 6;
-    EXPECT_EQ(encloses(fat, unit_at(0.0625F + 0.0625F * static_cast<float>(update))), is_meant) << update;
+    EXPECT_EQ(surrounds(fat, unit_at(0.0625F + 0.0625F * static_cast<float>(update))), is_meant) << update;
   }
 }
 
@@ -93,7 +93,7 @@ TEST(FatBox, OfABoxThatShrinksToNothingIsABox) {
 }
 
 TEST(FatBox, OfABodyThatJumpsIsNotCarriedAhead) {
-  EXPECT_TRUE(encloses(later_fat_box_of(kUnit, unit_at(1.5F), {.from = 8, .updates = 8}), unit_at(1.5F)));
+  EXPECT_TRUE(surrounds(later_fat_box_of(kUnit, unit_at(1.5F), {.from = 8, .updates = 8}), unit_at(1.5F)));
 }
 
 TEST(FatBox, IsMadeForAStepInLengthsOfTheBox) {
@@ -122,10 +122,10 @@ TEST(FatBox, StaysWithinTheNumbersThereAre) {
     for (const Aabb& now : {all, corner, half, other_half, kUnit}) {
       for (const float margin : {0.0F, 1.0F, 1e30F}) {
         const Aabb fat = fat_box_of(old, now, {12, true, margin, 0.125F});
-        EXPECT_TRUE(encloses(fat, now));
-        EXPECT_TRUE(encloses(all, fat));
+        EXPECT_TRUE(surrounds(fat, now));
+        EXPECT_TRUE(surrounds(all, fat));
         const Aabb later = later_fat_box_of(old, now, {.from = 7, .updates = 12, .margin = margin});
-        EXPECT_TRUE(encloses(all, later));
+        EXPECT_TRUE(surrounds(all, later));
         for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_LE(later.min[axis], later.max[axis]);
       }
     }
@@ -141,7 +141,7 @@ TEST(FatBox, EnclosesTheBoxWhateverItWasBefore) {
         const Aabb now = contract::next_box(kind, random, old, given);
         for (const float updates : {4.0F, 8.0F, 12.0F}) {
           const Aabb fat = fat_box_of(old, now, {updates});
-          ASSERT_TRUE(encloses(fat, now)) << kind;
+          ASSERT_TRUE(surrounds(fat, now)) << kind;
           for (std::size_t axis = 0; axis < 3; ++axis)
             ASSERT_TRUE(std::isfinite(fat.max[axis] / 2 - fat.min[axis] / 2));
         }

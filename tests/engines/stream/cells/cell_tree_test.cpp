@@ -18,7 +18,7 @@ namespace {
 
 using contract::Random;
 
-constexpr std::size_t kAny = ~std::size_t{0};
+constexpr std::size_t kUnlimited = ~std::size_t{0};
 
 using Keys64 = std::multiset<std::uint64_t>;
 
@@ -215,14 +215,14 @@ TEST_P(CellTreeTest, StopsAtMorePairsThanThereMayBe) {
   const std::vector<Aabb> heap(3000, Aabb{{1, 1, 1}, {2, 2, 2}});
   tree_.limit_pairs(10'000);
   EXPECT_THROW(tree_.build({heap.data(), heap.size()}), TooManyPairs);
-  tree_.limit_pairs(kAny);
+  tree_.limit_pairs(kUnlimited);
   build(uniform_boxes(500, 6));
   boxes_.resize(1700, kNobody);
   tree_.limit_pairs(10'000);
   for (Slot slot = 500; slot < 1700; ++slot) change(slot, {{1, 1, 1}, {2, 2, 2}});
   EXPECT_THROW(tree_.change(changes_), TooManyPairs);
   changes_.clear();
-  tree_.limit_pairs(kAny);
+  tree_.limit_pairs(kUnlimited);
   build(uniform_boxes(500, 7));
 }
 

@@ -7,12 +7,12 @@ namespace {
 
 using namespace reference;
 
-constexpr u64 kSign = 0x8000000000000000;
+constexpr u64 kDoubleSign = 0x8000000000000000;
 constexpr u64 kInfinity = 0x7ff0000000000000;
 constexpr Rounding kModes[] = {Rounding::nearest, Rounding::toward_zero, Rounding::up, Rounding::down};
 
 u64 negated(u64 bits) {
-  return is_nan(bits) ? bits : bits ^ kSign;
+  return is_nan(bits) ? bits : bits ^ kDoubleSign;
 }
 
 /// For both slots, each in its own rounding mode: f(mode, lanes...).
@@ -29,15 +29,15 @@ void check_arithmetic(unsigned first, unsigned second) {
   const auto two = [&](auto f) { return of_ab(in_modes(first, second, f)); };
   const auto three = [&](auto f) { return of_abt(in_modes(first, second, f)); };
   spu.check("dfa", two([](Rounding m, u64 a, u64 b) { return spu_double_add(a, b, m); }));
-  spu.check("dfs", two([](Rounding m, u64 a, u64 b) { return spu_double_add(a, b ^ kSign, m); }));
+  spu.check("dfs", two([](Rounding m, u64 a, u64 b) { return spu_double_add(a, b ^ kDoubleSign, m); }));
   spu.check("dfm", two([](Rounding m, u64 a, u64 b) { return spu_double_multiply(a, b, m); }));
   spu.check("dfma", three([](Rounding m, u64 a, u64 b, u64 t) { return spu_double_madd(a, b, t, m); }));
   spu.check("dfms",
-            three([](Rounding m, u64 a, u64 b, u64 t) { return spu_double_madd(a, b, t ^ kSign, m); }));
+            three([](Rounding m, u64 a, u64 b, u64 t) { return spu_double_madd(a, b, t ^ kDoubleSign, m); }));
   spu.check("dfnma",
             three([](Rounding m, u64 a, u64 b, u64 t) { return negated(spu_double_madd(a, b, t, m)); }));
   spu.check("dfnms", three([](Rounding m, u64 a, u64 b, u64 t) {
-              return negated(spu_double_madd(a, b, t ^ kSign, m));
+              return negated(spu_double_madd(a, b, t ^ kDoubleSign, m));
             }));
 }
 
@@ -48,16 +48,16 @@ TEST(DoubleInstructions, RoundEachSlotByTheFpscr) {
 Term term_of(u64 bits) {
   const auto exponent = static_cast<int>(bits >> 52 & 0x7ff);
   const u64 fraction = bits & 0xfffffffffffff;
-  if (exponent == 0) return {(bits & kSign) != 0, fraction, -1074};
-  return {(bits & kSign) != 0, fraction | 1ULL << 52, exponent - 1075};
+  if (exponent == 0) return {(bits & kDoubleSign) != 0, fraction, -1074};
+  return {(bits & kDoubleSign) != 0, fraction | 1ULL << 52, exponent - 1075};
 }
 
 bool is_denormal(u64 bits) {
-  return (bits & kInfinity) == 0 && (bits & ~kSign) != 0;
+  return (bits & kInfinity) == 0 && (bits & ~kDoubleSign) != 0;
 }
 
 u64 flushed(u64 bits) {
-  return is_denormal(bits) ? bits & kSign : bits;
+  return is_denormal(bits) ? bits & kDoubleSign : bits;
 }
 
 /// Denormal 0x100, NaN 0x200, invalid 0x400 for a signaling one.
@@ -91,7 +91,7 @@ u64 madd_flags(u64 a, u64 b, u64 t, Rounding mode) {
   const u64 result = spu_double_madd(a, b, t, mode);
   if (is_nan(result)) return flags | 0x400;
   for (const u64 operand : {a, b, t})
-    if ((operand & ~kSign) == kInfinity) return flags;
+    if ((operand & ~kDoubleSign) == kInfinity) return flags;
   return flags | rounding_flags(a, b, t, result, mode);
 }
 
@@ -113,10 +113,12 @@ void check_flags(unsigned first, unsigned second) {
   const auto two = [&](auto f) { return of_ab(fpscr_after(first, second, f)); };
   const auto three = [&](auto f) { return of_abt(fpscr_after(first, second, f)); };
   spu.check("dfa", two([](Rounding m, u64 a, u64 b) { return madd_flags(a, one, b, m); }), true);
-  spu.check("dfs", two([](Rounding m, u64 a, u64 b) { return madd_flags(a, one, b ^ kSign, m); }), true);
+  spu.check("dfs", two([](Rounding m, u64 a, u64 b) { return madd_flags(a, one, b ^ kDoubleSign, m); }),
+            true);
   spu.check("dfm", two([](Rounding m, u64 a, u64 b) { return madd_flags(a, b, 0, m); }), true);
   spu.check("dfma", three([](Rounding m, u64 a, u64 b, u64 t) { return madd_flags(a, b, t, m); }), true);
-  spu.check("dfnms", three([](Rounding m, u64 a, u64 b, u64 t) { return madd_flags(a, b, t ^ kSign, m); }),
+  spu.check("dfnms",
+            three([](Rounding m, u64 a, u64 b, u64 t) { return madd_flags(a, b, t ^ kDoubleSign, m); }),
             true);
 }
 
@@ -171,17 +173,17 @@ TEST(DoubleInstructions, CompareWithDenormalsAsZerosAndNoOrderForNan) {
   spu.check("dfceq", of_ab(lanewise<8>([](u64 a, u64 b) { return all_ones(value_of(a) == value_of(b)); })));
   spu.check("dfcgt", of_ab(lanewise<8>([](u64 a, u64 b) { return all_ones(value_of(a) > value_of(b)); })));
   spu.check("dfcmeq", of_ab(lanewise<8>([](u64 a, u64 b) {
-              return all_ones(value_of(a & ~kSign) == value_of(b & ~kSign));
+              return all_ones(value_of(a & ~kDoubleSign) == value_of(b & ~kDoubleSign));
             })));
-  spu.check(
-      "dfcmgt",
-      of_ab(lanewise<8>([](u64 a, u64 b) { return all_ones(value_of(a & ~kSign) > value_of(b & ~kSign)); })));
+  spu.check("dfcmgt", of_ab(lanewise<8>([](u64 a, u64 b) {
+              return all_ones(value_of(a & ~kDoubleSign) > value_of(b & ~kDoubleSign));
+            })));
 }
 
 /// Bit of the immediate for what a double is: NaN, infinities, zeros, denormals; the positive one first.
 int kind_of(u64 bits) {
-  const u64 magnitude = bits & ~kSign;
-  const int negative = (bits & kSign) != 0 ? 1 : 0;
+  const u64 magnitude = bits & ~kDoubleSign;
+  const int negative = (bits & kDoubleSign) != 0 ? 1 : 0;
   if (magnitude > kInfinity) return 0x40;
   if (magnitude == kInfinity) return 0x20 >> negative;
   if (magnitude == 0) return 0x08 >> negative;

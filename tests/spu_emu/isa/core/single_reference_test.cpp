@@ -9,7 +9,7 @@ namespace {
 
 using namespace reference;
 
-constexpr u64 kSign = 0x80000000;
+constexpr u64 kSingleSign = 0x80000000;
 constexpr u64 kOne = 0x3f800000;
 
 u64 exponent_of(u64 word) {
@@ -31,11 +31,11 @@ u64 madd(u64 a, u64 b, u64 c) {
 TEST(SingleInstructions, RoundTowardZeroForEveryExponent) {
   ReferenceCheck spu;
   spu.check("fa", of_ab(lanewise<4>([](u64 a, u64 b) { return madd(a, kOne, b); })));
-  spu.check("fs", of_ab(lanewise<4>([](u64 a, u64 b) { return madd(b, kOne | kSign, a); })));
+  spu.check("fs", of_ab(lanewise<4>([](u64 a, u64 b) { return madd(b, kOne | kSingleSign, a); })));
   spu.check("fm", of_ab(lanewise<4>([](u64 a, u64 b) { return madd(a, b, 0); })));
   spu.check("fma", of_abt(lanewise<4>([](u64 a, u64 b, u64 c) { return madd(a, b, c); })));
-  spu.check("fms", of_abt(lanewise<4>([](u64 a, u64 b, u64 c) { return madd(a, b, c ^ kSign); })));
-  spu.check("fnms", of_abt(lanewise<4>([](u64 a, u64 b, u64 c) { return madd(a ^ kSign, b, c); })));
+  spu.check("fms", of_abt(lanewise<4>([](u64 a, u64 b, u64 c) { return madd(a, b, c ^ kSingleSign); })));
+  spu.check("fnms", of_abt(lanewise<4>([](u64 a, u64 b, u64 c) { return madd(a ^ kSingleSign, b, c); })));
 }
 
 bool is_unusual(u64 word) {
@@ -61,15 +61,14 @@ TEST(SingleInstructions, CollectTheirFlagsInTheFpscr) {
   const auto unusual = [](auto... words) { return (is_unusual(words) || ...); };
   const auto check = [&](const char* name, const Reference& reference) { spu.check(name, reference, true); };
   check("fa", of_ab(lanewise<4>([&](u64 a, u64 b) { return flags_of(a, kOne, b, unusual(a, b)); })));
-  check("fs", of_ab(lanewise<4>([&](u64 a, u64 b) { return flags_of(b, kOne | kSign, a, unusual(a, b)); })));
+  check("fs",
+        of_ab(lanewise<4>([&](u64 a, u64 b) { return flags_of(b, kOne | kSingleSign, a, unusual(a, b)); })));
   check("fm", of_ab(lanewise<4>([&](u64 a, u64 b) { return flags_of(a, b, 0, unusual(a, b)); })));
   check("fma", of_abt(lanewise<4>([&](u64 a, u64 b, u64 c) { return flags_of(a, b, c, unusual(a, b, c)); })));
-  check(
-      "fms",
-      of_abt(lanewise<4>([&](u64 a, u64 b, u64 c) { return flags_of(a, b, c ^ kSign, unusual(a, b, c)); })));
-  check(
-      "fnms",
-      of_abt(lanewise<4>([&](u64 a, u64 b, u64 c) { return flags_of(a ^ kSign, b, c, unusual(a, b, c)); })));
+  check("fms", of_abt(lanewise<4>(
+                   [&](u64 a, u64 b, u64 c) { return flags_of(a, b, c ^ kSingleSign, unusual(a, b, c)); })));
+  check("fnms", of_abt(lanewise<4>(
+                    [&](u64 a, u64 b, u64 c) { return flags_of(a ^ kSingleSign, b, c, unusual(a, b, c)); })));
 }
 
 TEST(SingleInstructions, SetTheDivisionByZeroFlagOfEachSlotOfAnEstimate) {
@@ -87,17 +86,19 @@ TEST(SingleInstructions, SetTheDivisionByZeroFlagOfEachSlotOfAnEstimate) {
 
 s64 key(u64 word) {
   const auto magnitude = static_cast<s64>(word & 0x7fffffff);
-  return magnitude < 0x00800000 ? 0 : (word & kSign) != 0 ? -magnitude : magnitude;
+  return magnitude < 0x00800000 ? 0 : (word & kSingleSign) != 0 ? -magnitude : magnitude;
 }
 
 TEST(SingleInstructions, CompareBySignAndMagnitude) {
   ReferenceCheck spu;
   spu.check("fceq", of_ab(lanewise<4>([](u64 a, u64 b) { return all_ones(key(a) == key(b)); })));
   spu.check("fcgt", of_ab(lanewise<4>([](u64 a, u64 b) { return all_ones(key(a) > key(b)); })));
-  spu.check("fcmeq",
-            of_ab(lanewise<4>([](u64 a, u64 b) { return all_ones(key(a & ~kSign) == key(b & ~kSign)); })));
-  spu.check("fcmgt",
-            of_ab(lanewise<4>([](u64 a, u64 b) { return all_ones(key(a & ~kSign) > key(b & ~kSign)); })));
+  spu.check("fcmeq", of_ab(lanewise<4>([](u64 a, u64 b) {
+              return all_ones(key(a & ~kSingleSign) == key(b & ~kSingleSign));
+            })));
+  spu.check("fcmgt", of_ab(lanewise<4>([](u64 a, u64 b) {
+              return all_ones(key(a & ~kSingleSign) > key(b & ~kSingleSign));
+            })));
 }
 
 /// base - step * y with y the argument's low 19 fraction bits, truncated to 24 significant bits.
@@ -123,7 +124,7 @@ u64 scaled_float(s64 integer, int scale) {
 s64 scaled_integer(u64 word, int scale, s64 least, s64 most) {
   const auto exponent = static_cast<int>(exponent_of(word));
   if (exponent == 0) return 0;
-  const bool negative = (word & kSign) != 0;
+  const bool negative = (word & kSingleSign) != 0;
   const int shift = exponent - 150 + scale;
   const s64 mantissa = static_cast<s64>((word & 0x7fffff) | 0x800000);
   if (shift > 32) return negative ? least : most;

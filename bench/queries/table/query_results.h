@@ -1,0 +1,42 @@
+/// @file
+/// The times of a run of the suite of queries, read from Google Benchmark's JSON.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "cellsweep/status.h"
+
+namespace cellsweep::bench {
+
+/// What is asked where. World and kind count in kQueryWorlds and kQuestionKinds.
+struct QueryCell {
+  bool is_moved = false;  ///< asked after all bodies have moved
+  std::size_t kind = 0;
+  std::size_t bodies = 0;
+  std::size_t world = 0;
+
+  friend auto operator<=>(const QueryCell&, const QueryCell&) = default;
+};
+
+/// Of one who answers.
+struct QueryTime {
+  double ns = 0;   ///< for a question in the mean
+  double p99 = 0;  ///< the 99th percentile; 0 where questions are not asked singly
+  double move_ms = 0;
+  bool moves_for_pairs = false;
+};
+
+struct QueryResults {
+  std::map<QueryCell, std::map<std::string, QueryTime>> cells;
+  std::string machine;  ///< what the file says of it
+};
+
+/// Adds what a file holds: medians of repetitions, or single runs. Rows that were errors are left out.
+/// Errors: bad_input for what is no JSON of Google Benchmark.
+Status add_query_results(std::string_view json, QueryResults& results);
+
+}  // namespace cellsweep::bench

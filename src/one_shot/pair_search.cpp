@@ -1,0 +1,142 @@
+#include "one_shot/pair_search.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/tuning.h"
+#include "cellsweep/engine/piece_finder.h"
+#include "engines/stream/sweep/sweep.h"
+
+namespace cellsweep::one_shot {
+
+using stream::CellBoxes;
+using stream::TaggedBox;
+
+/// Takes cells for later instead of finding their pairs.
+class PairSearch::Collector final : public stream::PieceFinder {
+ public:
+  explicit Collector(std::vector<std::span<const CellBoxes>>& cells) : cells_(cells) {}
+
+  void begin_update() override {}
+  void find(std::span<const CellBoxes> cells, stream::KeyBuffer&) override { cells_.push_back(cells); }
+  void add_counters(std::vector<Counter>&) const override {}
+
+ private:
+  std::vector<std::span<const CellBoxes>>& cells_;
+};
+
+PairSearch::PairSearch(Crew& crew, const stream::Kernels& kernels, const SearchedBoxes& boxes)
+    : crew_(crew), kernels_(kernels), cross_(find_cross_kernel(kernels.isa)), boxes_(boxes) {
+  const std::size_t all = boxes.boxes.size();
+  const std::size_t first = boxes.second;
+  const std::size_t fewer = std::min(first, all - first);
+  crew_.use(1);
+  if (boxes.are_two ? fewer == 0 : all == 0) return;
+  if (boxes.are_two && fewer <= tuning::kMostPieced) {
+    make_pieces();
+  } else if (!boxes.are_two && all <= tuning::kOneCell) {
+    make_one_cell();
+  } else if (boxes.are_two || !sweep()) {
+    make_tree();
+  }
+}
+
+PairSearch::~PairSearch() = default;
+
+// False when there are many, or cells take less.
+bool PairSearch::sweep() {
+  if (kernels_.sweep == nullptr || boxes_.boxes.size() > tuning::kMostSwept) return false;
+  return stream::Sweep().find(kernels_, boxes_.boxes, swept_);
+}
+
+// Room for so many cells with so many boxes in all.
+CellBoxes* PairSearch::add_cells(std::size_t cells, std::size_t boxes) {
+  made_.renew(cells);
+  tagged_.renew(boxes + cells * stream::kMaxLanes);
+  cells_.push_back(std::as_const(made_).view());
+  return made_.data();
+}
+
+void PairSearch::make_one_cell() {
+  const stream::Boxes boxes(boxes_.boxes.data(), boxes_.boxes.size());
+  const auto count = static_cast<std::uint32_t>(boxes.count());
+  CellBoxes& cell = *add_cells(1, count);
+  cell = {tagged_.data(), count, count + stream::kMaxLanes};
+  for (std::uint32_t slot = 0; slot < count; ++slot) tagged_.data()[slot] = {boxes[slot], boxes.tag(slot), 0};
+}
+
+// All of the smaller set against a few of the larger one at a time.
+void PairSearch::make_pieces() {
+  const stream::Boxes boxes(boxes_.boxes.data(), boxes_.boxes.size());
+  const auto all = static_cast<std::uint32_t>(boxes.count());
+  const std::uint32_t second = boxes_.second;
+  const bool first_is_smaller = second <= all - second;
+  const Share smaller = first_is_smaller ? Share{0, second} : Share{second, all};
+  const Share larger = first_is_smaller ? Share{second, all} : Share{0, second};
+  const std::size_t few = smaller.last - smaller.first;
+  const std::size_t many = larger.last - larger.first;
+  const std::size_t pieces = (many + tuning::kPieced - 1) / tuning::kPieced;
+  CellBoxes* const cells = add_cells(pieces, many + pieces * few);
+  TaggedBox* to = tagged_.data();
+  const auto add = [&](std::size_t slot) { *to++ = {boxes[slot], boxes.tag(slot), 0}; };
+  crew_.plan(all, tuning::kCrossTestGuess * static_cast<double>(few));
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    const Share share = Share::of(many, static_cast<unsigned>(piece), static_cast<unsigned>(pieces));
+    const auto count = static_cast<std::uint32_t>(few + share.last - share.first);
+    cells[piece] = {to, count, count + stream::kMaxLanes};
+    for (std::size_t i = smaller.first; i < smaller.last; ++i) add(i);
+    for (std::size_t i = share.first; i < share.last; ++i) add(larger.first + i);
+    to += stream::kMaxLanes;
+  }
+}
+
+void PairSearch::make_tree() {
+  crew_.plan(boxes_.boxes.size(), tuning::kFullGuess);
+  collector_ = std::make_unique<Collector>(cells_);
+  tree_ = std::make_unique<stream::CellTree>(crew_, kernels_, collector_.get());
+  tree_->build({boxes_.boxes.data(), boxes_.boxes.size()});
+}
+
+void PairSearch::find_in(const CellBoxes& cell, Outlet& outlet) const {
+  if (!boxes_.are_two) return kernels_.all_pairs(cell, cell.count, outlet);
+  if (cell.count == 0) return;
+  const auto is_of_first = [&](const TaggedBox& box) { return (box.tag & kSlotMask) < boxes_.second; };
+  const bool one = is_of_first(cell.boxes[0]);
+  // Those of one set lie together already, mostly: nothing has to be moved.
+  const TaggedBox* const others = std::partition(
+      cell.boxes, cell.boxes + cell.count, [&](const TaggedBox& box) { return is_of_first(box) == one; });
+  cross_(cell, static_cast<std::uint32_t>(others - cell.boxes), outlet);
+}
+
+void PairSearch::find(std::span<const std::unique_ptr<Outlet>> outlets) {
+  if (outlets.size() == 1) {
+    outlets[0]->write(swept_.view());
+    for (const auto cells : cells_) {
+      for (const CellBoxes& cell : cells) find_in(cell, *outlets[0]);
+    }
+    return outlets[0]->flush();
+  }
+  constexpr std::size_t kRun = 64;
+  std::vector<std::span<const CellBoxes>> runs;
+  for (auto cells : cells_) {
+    for (; !cells.empty(); cells = cells.subspan(std::min(kRun, cells.size())))
+      runs.push_back(cells.first(std::min(kRun, cells.size())));
+  }
+  crew_.for_each(runs.size(), 1, [&](unsigned worker, std::size_t run) {
+    for (const CellBoxes& cell : runs[run]) find_in(cell, *outlets[worker]);
+  });
+  for (const auto& outlet : outlets) outlet->flush();
+}
+
+void PairSearch::find(Outlet& outlet) {
+  outlet.write(swept_.view());
+  outlet.flush();
+  for (const auto cells : cells_) {
+    for (const CellBoxes& cell : cells) {
+      find_in(cell, outlet);
+      outlet.flush();
+    }
+  }
+}
+
+}  // namespace cellsweep::one_shot

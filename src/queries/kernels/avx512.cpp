@@ -1,0 +1,92 @@
+#include <immintrin.h>
+
+#include "engines/stream/kernels/eight_avx2.h"
+#include "queries/kernels/body.h"
+#include "queries/kernels/sets.h"
+
+namespace cellsweep::queries {
+namespace {
+
+/// Sixteen boxes at a time.
+struct Avx512QueryLanes : LanesInOrder<16> {
+  using Vector = __m512;
+  using Mask = std::uint32_t;
+
+  static void gather(const std::byte* boxes, std::size_t step, Vector (&faces)[6]) {
+    __m256 low[6];
+    __m256 high[6];
+    stream::gather_eight(reinterpret_cast<const Aabb*>(boxes), step, low);
+    stream::gather_eight(reinterpret_cast<const Aabb*>(boxes + 8 * step), step, high);
+    for (unsigned face = 0; face < 6; ++face) {
+      faces[face] = __builtin_shufflevector(low[face], high[face], 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
+                                            13, 14, 15);
+    }
+  }
+  static Mask less_equal(Vector a, Vector b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ); }
+  static std::uint32_t bits(Mask mask) { return mask; }
+};
+
+/// The same of boxes of 32 bytes, two in a vector: lanes are in the order in which the fewest shuffles leave
+/// them.
+struct Avx512TaggedLanes : Avx512QueryLanes {
+  static void gather(const std::byte* boxes, std::size_t /*step*/, Vector (&faces)[6]) {
+    Vector low_xy[2], low_zx[2], low_yz[2], high_x[2];
+    for (std::size_t half = 0; half < 2; ++half) {
+      const auto pair = [&](std::size_t i) { return _mm512_loadu_ps(boxes + 256 * half + 64 * i); };
+      const Vector a = floats_low(pair(0), pair(1)), b = floats_low(pair(2), pair(3));
+      const Vector c = floats_high(pair(0), pair(1)), d = floats_high(pair(2), pair(3));
+      low_xy[half] = doubles_low(a, b);   // x of the minimum, y of the maximum
+      low_yz[half] = doubles_high(a, b);  // y of the minimum, z of the maximum
+      low_zx[half] = doubles_low(c, d);   // z of the minimum
+      high_x[half] = doubles_high(c, d);  // x of the maximum
+    }
+    faces[0] = even_fours(low_xy[0], low_xy[1]);
+    faces[1] = even_fours(low_yz[0], low_yz[1]);
+    faces[2] = even_fours(low_zx[0], low_zx[1]);
+    faces[3] = even_fours(high_x[0], high_x[1]);
+    faces[4] = odd_fours(low_xy[0], low_xy[1]);
+    faces[5] = odd_fours(low_yz[0], low_yz[1]);
+  }
+
+  static std::uint32_t lanes_below(std::uint32_t count) {
+    return _mm512_cmplt_epi32_mask(places(), _mm512_set1_epi32(static_cast<int>(count)));
+  }
+  static std::uint32_t place_of(unsigned lane) { return (lane & 8) | (lane & 3) << 1 | (lane >> 2 & 1); }
+  static std::uint32_t put_places(std::uint32_t lanes, std::uint32_t first, std::uint32_t* to) {
+    const __m512i here = _mm512_add_epi32(places(), _mm512_set1_epi32(static_cast<int>(first)));
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(lanes), here));
+    return static_cast<std::uint32_t>(__builtin_popcount(lanes));
+  }
+
+ private:
+  static __m512i places() { return _mm512_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7, 8, 10, 12, 14, 9, 11, 13, 15); }
+
+  // Of each four lanes the first two, or the last two, of both vectors in turn.
+  static Vector floats_low(Vector a, Vector b) {
+    return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
+  }
+  static Vector floats_high(Vector a, Vector b) {
+    return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
+  }
+  // The same of pairs of lanes.
+  static Vector doubles_low(Vector a, Vector b) {
+    return __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
+  }
+  static Vector doubles_high(Vector a, Vector b) {
+    return __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
+  }
+  // Each second four lanes.
+  static Vector even_fours(Vector a, Vector b) {
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27);
+  }
+  static Vector odd_fours(Vector a, Vector b) {
+    return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31);
+  }
+};
+
+}  // namespace
+
+constinit const QueryKernels kAvx512Queries =
+    make_query_kernels<Avx512TaggedLanes, Avx512QueryLanes>(VectorIsa::avx512);
+
+}  // namespace cellsweep::queries

@@ -1,0 +1,66 @@
+/// @file
+/// The inner loops of queries: one question against as many boxes at a time as a vector holds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "cellsweep/aabb.h"
+#include "cellsweep/vector_isa.h"
+
+namespace cellsweep::queries {
+
+/// At most so many boxes are looked at in one call.
+inline constexpr std::uint32_t kRowBoxes = 256;
+
+/// The largest vector of any kernel, in boxes.
+inline constexpr std::uint32_t kMostLanes = 16;
+
+/// Boxes `step` bytes apart. Behind the last one a whole vector of boxes can be read.
+struct BoxRow {
+  const std::byte* first = nullptr;
+  std::size_t step = 0;
+  std::uint32_t count = 0;  ///< at most kRowBoxes
+};
+
+/// A Path in floats, its direction scaled so that the largest component is at least 1 and less than 2; times
+/// are in lengths of that.
+struct CastNumbers {
+  float from_min[3];  ///< what is taken from a box's minimum: the path's own maximum
+  float from_max[3];
+  float inverse[3];  ///< of the direction; 0 on an axis along which the path does not move, or hardly
+  float wide[3];     ///< infinity on such an axis, or 0
+  float low[3];      ///< a box must reach above this and below the other, which say where the path ever is on
+  float high[3];     ///< such an axis; infinite on others
+  float end;
+  bool is_flat;  ///< there is such an axis
+};
+
+/// A box in floats and the square of a distance.
+struct NearNumbers {
+  float min[3];
+  float max[3];
+  float most;
+};
+
+/// The kernels of one instruction set. Each writes the places in the row of all boxes that may be answers and
+/// some more, which rounding made look like some, and returns how many these are. A box of NaN is none. There
+/// is room for a whole vector behind kRowBoxes places.
+struct QueryKernels {
+  VectorIsa isa;
+
+  /// Boxes that overlap one: exactly those.
+  std::uint32_t (*overlap)(const BoxRow& row, const Aabb& box, std::uint32_t* places);
+
+  /// Boxes that a path touches.
+  std::uint32_t (*cast)(const BoxRow& row, const CastNumbers& path, std::uint32_t* places);
+
+  /// Boxes that are near enough. Above the place stand the bits of a number no larger than the square of the
+  /// distance: keys ascend as these do.
+  std::uint32_t (*near)(const BoxRow& row, const NearNumbers& question, std::uint64_t* keys);
+};
+
+/// Those of an instruction set that the machine has, or the widest below it that there are.
+const QueryKernels& query_kernels(VectorIsa isa);
+
+}  // namespace cellsweep::queries

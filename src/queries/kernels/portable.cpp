@@ -1,0 +1,32 @@
+#include "queries/kernels/body.h"
+#include "queries/kernels/sets.h"
+
+namespace cellsweep::queries {
+namespace {
+
+/// Four boxes at a time in plain C++.
+struct PortableQueryLanes : LanesInOrder<4> {
+  using Vector [[gnu::vector_size(16)]] = float;
+  using Mask [[gnu::vector_size(16)]] = std::int32_t;
+
+  static void gather(const std::byte* boxes, std::size_t step, Vector (&faces)[6]) {
+    const auto number = [&](unsigned box, unsigned face) {
+      return reinterpret_cast<const float*>(boxes + box * step)[face];
+    };
+    for (unsigned face = 0; face < 6; ++face)
+      faces[face] = Vector{number(0, face), number(1, face), number(2, face), number(3, face)};
+  }
+  static Mask less_equal(Vector a, Vector b) { return a <= b; }
+  static std::uint32_t bits(Mask mask) {
+    std::uint32_t bits = 0;
+    for (unsigned i = 0; i < kCount; ++i) bits |= static_cast<std::uint32_t>(mask[i]) & (1U << i);
+    return bits;
+  }
+};
+
+}  // namespace
+
+constinit const QueryKernels kPortableQueries =
+    make_query_kernels<PortableQueryLanes, PortableQueryLanes>(VectorIsa::portable);
+
+}  // namespace cellsweep::queries

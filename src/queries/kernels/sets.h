@@ -1,0 +1,15 @@
+/// @file
+/// The tables of query kernels that this build has, each from a source file of its own.
+#pragma once
+
+#include "queries/kernels/kernel.h"
+
+namespace cellsweep::queries {
+
+extern const QueryKernels kPortableQueries;
+#ifdef CELLSWEEP_X86_KERNELS
+extern const QueryKernels kAvx2Queries;
+extern const QueryKernels kAvx512Queries;
+#endif
+
+}  // namespace cellsweep::queries

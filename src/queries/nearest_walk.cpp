@@ -1,0 +1,257 @@
+#include "queries/nearest_walk.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "engines/stream/cells/cell_tree.h"
+#include "queries/arithmetic.h"
+#include "queries/layers.h"
+#include "queries/rows.h"
+
+namespace cellsweep::queries {
+namespace {
+
+using stream::Cell;
+using stream::Grid;
+using stream::Node;
+
+/// The way down to a cell: a body that reaches into several cells is looked at in that which has its nearest
+/// point.
+struct Way {
+  const Way* above = nullptr;
+  const Grid* grid = nullptr;
+  std::uint32_t cell = 0;
+
+  bool leads_to(const Aabb& point) const {
+    for (const Way* way = this; way != nullptr; way = way->above) {
+      if (way->grid->block_of(point).first != way->cell) return false;
+    }
+    return true;
+  }
+};
+
+/// Of the points of a box that are nearest to another one, the first on each axis.
+Aabb nearest_point(const Aabb& box, const Aabb& other) {
+  Point point;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    point[axis] = std::clamp(other.min[axis], box.min[axis], box.max[axis]);
+  return box_at(point);
+}
+
+/// A square of distance that is no less, in a float.
+float square_above(double distance) {
+  const double square = distance * distance;
+  return square > 1e37 ? std::numeric_limits<float>::infinity()
+                       : static_cast<float>(square * (1 + 0x1p-20)) + 1e-37F;
+}
+
+class NearestWalk {
+ public:
+  NearestWalk(const World& world, const Aabb& box, const QueryFilter& filter, NearestList& nearest)
+      : world_(world), box_(box), filter_(filter), nearest_(nearest) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      numbers_.min[axis] = box.min[axis];
+      numbers_.max[axis] = box.max[axis];
+    }
+    numbers_.most = square_above(std::max(nearest.most(), 0.0));
+  }
+
+  void scan() {
+    for_each_row(world_.boxes(), [&](const BoxRow& row, Slot first) {
+      look(
+          row, [&](std::uint32_t place) { return first + place; },
+          [&](Slot slot) { return world_.is_seen(slot); });
+      return true;
+    });
+  }
+
+  // `gaps`: how far what is in the node is on each axis at least.
+  void walk(const Node& node, const Way* above, const double (&gaps)[3]) {
+    Rings rings(node, box_, gaps);
+    do {
+      NearCells cells;
+      rings.for_each_cell([&](std::uint32_t index, const double(&here)[3]) {
+        const double square = here[0] * here[0] + here[1] * here[1] + here[2] * here[2];
+        if (!is_near(square) || is_empty(node.cells[index])) return;
+        if (cells.count == NearCells::kMost) walk(node, above, cells);
+        cells.add({square, index, {here[0], here[1], here[2]}});
+      });
+      walk(node, above, cells);
+    } while (rings.go_on() && rings.distance() <= nearest_.most());
+  }
+
+ private:
+  /// The cells of a node by how many layers they are away from those that the box is in.
+  class Rings {
+   public:
+    Rings(const Node& node, const Aabb& box, const double (&gaps)[3])
+        : box_(box), gaps_{gaps[0], gaps[1], gaps[2]}, range_(node.grid.range_of(box)) {
+      const stream::GridNumbers grid = node.grid.numbers();
+      for (unsigned axis = 0; axis < 3; ++axis) layers_[axis] = Layers(grid, axis);
+      steps_[1] = grid.row;
+      steps_[2] = grid.plane;
+    }
+
+    /// On to the next ring; false when there is none.
+    bool go_on() {
+      ++ring_;
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        if (range_.low[axis] >= ring_ || layers_[axis].top() - range_.high[axis] >= ring_) return true;
+      }
+      return false;
+    }
+
+    /// None of the ring's cells, nor of those behind it, is nearer.
+    double distance() const {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        if (range_.low[axis] >= ring_) nearest = std::min(nearest, gap(axis, range_.low[axis] - ring_));
+        if (layers_[axis].top() - range_.high[axis] >= ring_)
+          nearest = std::min(nearest, gap(axis, range_.high[axis] + ring_));
+      }
+      return nearest;
+    }
+
+    /// Calls `visit(cell, gaps)` for each cell of the ring.
+    template <class Visit>
+    void for_each_cell(const Visit& visit) const {
+      double gaps[3];
+      for (std::uint32_t z = first(2); z <= last(2); ++z) {
+        gaps[2] = gap(2, z);
+        for (std::uint32_t y = first(1); y <= last(1); ++y) {
+          gaps[1] = gap(1, y);
+          const bool is_all = offset(2, z) == ring_ || offset(1, y) == ring_;
+          for (std::uint32_t x = first(0); x <= last(0); ++x) {
+            if (!is_all && offset(0, x) != ring_) {
+              x = std::max(x, range_.high[0] + ring_ - 1);  // on to the other side
+              continue;
+            }
+            gaps[0] = gap(0, x);
+            visit(x + y * steps_[1] + z * steps_[2], gaps);
+          }
+        }
+      }
+    }
+
+   private:
+    std::uint32_t first(unsigned axis) const { return range_.low[axis] - std::min(range_.low[axis], ring_); }
+    std::uint32_t last(unsigned axis) const {
+      return range_.high[axis] + std::min(layers_[axis].top() - range_.high[axis], ring_);
+    }
+    std::uint32_t offset(unsigned axis, std::uint32_t layer) const {
+      if (layer < range_.low[axis]) return range_.low[axis] - layer;
+      return layer > range_.high[axis] ? layer - range_.high[axis] : 0;
+    }
+    double gap(unsigned axis, std::uint32_t layer) const {
+      if (layer >= range_.low[axis] && layer <= range_.high[axis]) return gaps_[axis];
+      const double gap = layer < range_.low[axis] ? box_.min[axis] - layers_[axis].high(layer)
+                                                  : layers_[axis].low(layer) - box_.max[axis];
+      return std::max(gap, gaps_[axis]);
+    }
+
+    const Aabb& box_;
+    double gaps_[3];
+    stream::CellRange range_;
+    Layers layers_[3];
+    std::uint32_t steps_[3] = {1, 0, 0};
+    std::uint32_t ring_ = 0;
+  };
+
+  /// A cell of a ring.
+  struct NearCell {
+    double square;  // of the distance that it has at least
+    std::uint32_t index;
+    double gaps[3];
+  };
+
+  /// Cells of a ring, the nearest first.
+  struct NearCells {
+    static constexpr unsigned kMost = 27;
+
+    void add(const NearCell& cell) {
+      unsigned place = count++;
+      for (; place > 0 && cells[place - 1].square > cell.square; --place) cells[place] = cells[place - 1];
+      cells[place] = cell;
+    }
+
+    NearCell cells[kMost];  // NOLINT(*-member-init): as far as it is read
+    unsigned count = 0;
+  };
+
+  bool is_near(double square) const {
+    const double most = nearest_.most();
+    return square * (1 - 0x1p-48) <= most * most;
+  }
+
+  static bool is_empty(const Cell& cell) { return cell.node == nullptr && cell.boxes.count == 0; }
+
+  // And leaves none of them.
+  void walk(const Node& node, const Way* above, NearCells& cells) {
+    for (unsigned i = 0; i < cells.count; ++i) {
+      const NearCell& next = cells.cells[i];
+      if (!is_near(next.square)) break;
+      const Cell& cell = node.cells[next.index];
+      const Way way{above, &node.grid, next.index};
+      if (cell.node != nullptr) {
+        walk(*cell.node, &way, next.gaps);
+      } else {
+        look_into(cell, way);
+      }
+    }
+    cells.count = 0;
+  }
+
+  void look_into(const Cell& cell, const Way& way) {
+    for_each_row(cell.boxes, [&](const BoxRow& row, std::uint32_t first) {
+      const stream::TaggedBox* const boxes = cell.boxes.boxes + first;
+      look(
+          row, [&](std::uint32_t place) { return boxes[place].tag & kSlotMask; },
+          [&](Slot slot) { return way.leads_to(nearest_point(world_.box(slot), box_)); });
+      return true;
+    });
+  }
+
+  // While the list is not full, those that seem to be nearest come first: then most others need not be looked
+  // at.
+  template <class SlotOf, class IsHere>
+  void look(const BoxRow& row, const SlotOf& slot_of, const IsHere& is_here) {
+    const std::uint32_t found = world_.kernels().near(row, numbers_, keys_.data());
+    const auto first = std::min<std::size_t>(nearest_.room(), found);
+    std::partial_sort(keys_.data(), keys_.data() + first, keys_.data() + found);
+    for (std::uint32_t i = 0; i < found; ++i) {
+      if (std::bit_cast<float>(static_cast<std::uint32_t>(keys_[i] >> 32)) > numbers_.most) continue;
+      offer(slot_of(static_cast<std::uint32_t>(keys_[i])), is_here);
+    }
+  }
+
+  template <class IsHere>
+  void offer(Slot slot, const IsHere& is_here) {
+    const Neighbor neighbor{world_.id(slot), distance_of(world_.box(slot), box_)};
+    if (!nearest_.takes(neighbor) || !is_here(slot) || !world_.is_answer(filter_, slot)) return;
+    nearest_.add(neighbor);
+    numbers_.most = square_above(nearest_.most());
+  }
+
+  const World& world_;
+  const Aabb& box_;
+  const QueryFilter& filter_;
+  NearestList& nearest_;
+  NearNumbers numbers_;  // NOLINT(*-member-init): all set by the constructor
+  Keys keys_;            // NOLINT(*-member-init): as far as it is read
+};
+
+}  // namespace
+
+void walk_nearest(const World& world, const Aabb& box, const QueryFilter& filter, NearestList& nearest) {
+  if (nearest.most() < 0) return;
+  NearestWalk walk(world, box, filter, nearest);
+  if (world.root() != nullptr) {
+    walk.walk(*world.root(), nullptr, {0, 0, 0});
+  } else {
+    walk.scan();
+  }
+}
+
+}  // namespace cellsweep::queries

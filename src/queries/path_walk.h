@@ -1,0 +1,18 @@
+/// @file
+/// Walks through the bodies along a path.
+#pragma once
+
+#include <span>
+
+#include "cellsweep/function_ref.h"
+#include "cellsweep/query.h"
+#include "queries/world.h"
+
+namespace cellsweep::queries {
+
+/// Calls `take` with slots, those along the first part of the path before others mostly, and ends the path
+/// where it returns, which must not be later than before; less than 0 ends the walk. Every body that the path
+/// touches up to its end is among them, several times perhaps, and others are.
+void walk_path(const World& world, const Path& path, FunctionRef<double(std::span<const Slot>)> take);
+
+}  // namespace cellsweep::queries

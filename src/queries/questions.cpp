@@ -1,0 +1,176 @@
+#include "queries/questions.h"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_set>
+
+#include "geometry/canonical.h"
+#include "queries/arithmetic.h"
+#include "queries/nearest_walk.h"
+#include "queries/outward.h"
+#include "queries/path_walk.h"
+#include "queries/region_walk.h"
+
+namespace cellsweep::queries {
+namespace {
+
+using Slots = std::span<const Slot>;
+
+/// A region, canonical.
+class Reach {
+ public:
+  explicit Reach(const Region& region)
+      : box_(canonical(region.box)), reach_(box_), distance_(region.distance) {
+    if (distance_ == 0) return;
+    // A distance that is computed may be less than the true one by a few roundings of it.
+    const double most = distance_ * (1 + 0x1p-50);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      reach_.min[axis] = below(box_.min[axis] - most);
+      reach_.max[axis] = above(box_.max[axis] + most);
+    }
+  }
+
+  /// A box around the region.
+  const Aabb& box() const { return reach_; }
+  double distance_to(const Aabb& box) const { return distance_of(box_, box); }
+  bool overlaps(const Aabb& box) const {
+    return distance_ == 0 ? overlap(box_, box) : distance_to(box) <= distance_;
+  }
+
+ private:
+  Aabb box_;
+  Aabb reach_;
+  double distance_;
+};
+
+Path canonical(const Path& path) {
+  Path result = path;
+  result.box = cellsweep::canonical(path.box);
+  return result;
+}
+
+bool comes_before(const Touch& one, const Touch& other) {
+  return one.time != other.time ? one.time < other.time : one.body < other.body;
+}
+
+/// Calls `visit(slot)` for the answers until it returns false.
+template <class Visit>
+void for_each_overlap(const Asked& asked, const Reach& reach, const Visit& visit) {
+  walk_region(asked.world, reach.box(), [&](Slots slots) {
+    for (const Slot slot : slots) {
+      if (!reach.overlaps(asked.world.box(slot)) || !asked.world.is_answer(asked.filter, slot)) continue;
+      if (!visit(slot)) return false;
+    }
+    return true;
+  });
+}
+
+}  // namespace
+
+void visit_overlaps(const Asked& asked, const Region& region, FunctionRef<bool(BodyId)> visit) {
+  for_each_overlap(asked, Reach(region), [&](Slot slot) { return visit(asked.world.id(slot)); });
+}
+
+void list_overlaps(const Asked& asked, const Region& region, std::vector<BodyId>& found) {
+  const std::size_t before = found.size();
+  for_each_overlap(asked, Reach(region), [&](Slot slot) {
+    found.push_back(asked.world.id(slot));
+    return true;
+  });
+  std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
+}
+
+bool any_overlap(const Asked& asked, const Region& region) {
+  bool any = false;
+  for_each_overlap(asked, Reach(region), [&](Slot) {
+    any = true;
+    return false;
+  });
+  return any;
+}
+
+void list_within(const Asked& asked, const Region& region, std::vector<Neighbor>& found) {
+  const std::size_t before = found.size();
+  const Reach reach(region);
+  for_each_overlap(asked, reach, [&](Slot slot) {
+    found.push_back({asked.world.id(slot), reach.distance_to(asked.world.box(slot))});
+    return true;
+  });
+  std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end(), NearestList::comes_before);
+}
+
+void list_nearest(const Asked& asked, const Aabb& box, std::size_t count, double most,
+                  std::vector<Neighbor>& found) {
+  NearestList nearest(count, most, found);
+  walk_nearest(asked.world, canonical(box), asked.filter, nearest);
+  nearest.sort();
+}
+
+// A body comes once for each cell in which the path meets it; its touch is the same each time.
+void list_touches(const Asked& asked, const Path& path, std::vector<Touch>& found) {
+  const auto before = static_cast<std::ptrdiff_t>(found.size());
+  const Cast cast(canonical(path));
+  walk_path(asked.world, cast.path(), [&](Slots slots) {
+    for (const Slot slot : slots) {
+      const auto time = cast.touch(asked.world.box(slot), path.end);
+      if (time && asked.world.may_be_answer(asked.filter, slot))
+        found.push_back({asked.world.id(slot), *time});
+    }
+    return path.end;
+  });
+  std::sort(found.begin() + before, found.end(), comes_before);
+  auto end = std::unique(found.begin() + before, found.end());
+  if (asked.filter.predicate) {
+    end = std::remove_if(found.begin() + before, end,
+                         [&](const Touch& touch) { return !asked.filter.predicate(touch.body); });
+  }
+  found.erase(end, found.end());
+}
+
+void visit_touches(const Asked& asked, const Path& path, FunctionRef<double(const Touch&, double)> visit) {
+  std::unordered_set<Slot> seen;
+  const Cast cast(canonical(path));
+  double end = path.end;
+  walk_path(asked.world, cast.path(), [&](Slots slots) {
+    for (const Slot slot : slots) {
+      const auto time = cast.touch(asked.world.box(slot), end);
+      if (!time || !seen.insert(slot).second || !asked.world.is_answer(asked.filter, slot)) continue;
+      end = std::min(end, visit({asked.world.id(slot), *time}, end));
+      if (!(end >= 0)) return -1.0;
+    }
+    return end;
+  });
+}
+
+bool any_touch(const Asked& asked, const Path& path) {
+  bool any = false;
+  const Cast cast(canonical(path));
+  walk_path(asked.world, cast.path(), [&](Slots slots) {
+    for (const Slot slot : slots) {
+      if (!cast.touch(asked.world.box(slot), path.end) || !asked.world.is_answer(asked.filter, slot))
+        continue;
+      any = true;
+      return -1.0;
+    }
+    return path.end;
+  });
+  return any;
+}
+
+std::optional<Touch> first_touch(const Asked& asked, const Path& path) {
+  std::optional<Touch> first;
+  const Cast cast(canonical(path));
+  walk_path(asked.world, cast.path(), [&](Slots slots) {
+    for (const Slot slot : slots) {
+      const auto time = cast.touch(asked.world.box(slot), path.end);
+      if (!time) continue;
+      const Touch touch{asked.world.id(slot), *time};
+      if (first && !comes_before(touch, *first)) continue;
+      if (asked.world.is_answer(asked.filter, slot)) first = touch;
+    }
+    return first ? first->time : path.end;
+  });
+  return first;
+}
+
+}  // namespace cellsweep::queries

@@ -1,0 +1,50 @@
+/// @file
+/// Boxes in rows, as the kernels of queries take them: those of a cell, or all by slot.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+#include "cellsweep/engine/cell_boxes.h"
+#include "queries/world.h"
+
+namespace cellsweep::queries {
+
+/// What a kernel writes.
+using Places = std::array<std::uint32_t, kRowBoxes + kMostLanes>;
+using Keys = std::array<std::uint64_t, kRowBoxes + kMostLanes>;
+
+/// Calls `look(row, first)` for the boxes of a cell, `first` being the place of the row's first box, until it
+/// returns false; then returns false.
+template <class Look>
+bool for_each_row(const stream::CellBoxes& cell, const Look& look) {
+  for (std::uint32_t first = 0; first < cell.count; first += kRowBoxes) {
+    const std::uint32_t count = cell.count - first < kRowBoxes ? cell.count - first : kRowBoxes;
+    const auto* const from = reinterpret_cast<const std::byte*>(cell.boxes + first);
+    if (!look(BoxRow{from, sizeof(stream::TaggedBox), count}, first)) return false;
+  }
+  return true;
+}
+
+/// The same for boxes by slot. Behind the last ones there may be nothing to read, so these are copied.
+template <class Look>
+bool for_each_row(std::span<const Aabb> boxes, const Look& look) {
+  const std::size_t whole = boxes.size() / kMostLanes * kMostLanes;
+  for (std::size_t first = 0; first < whole; first += kRowBoxes) {
+    const auto count = static_cast<std::uint32_t>(whole - first < kRowBoxes ? whole - first : kRowBoxes);
+    const auto* const from = reinterpret_cast<const std::byte*>(boxes.data() + first);
+    if (!look(BoxRow{from, sizeof(Aabb), count}, static_cast<std::uint32_t>(first))) return false;
+  }
+  if (whole == boxes.size()) return true;
+  std::array<Aabb, kMostLanes> last;
+  last.fill(kNobody);
+  std::memcpy(last.data(), boxes.data() + whole, (boxes.size() - whole) * sizeof(Aabb));
+  const auto* const from = reinterpret_cast<const std::byte*>(last.data());
+  const auto count = static_cast<std::uint32_t>(boxes.size() - whole);
+  return look(BoxRow{from, sizeof(Aabb), count}, static_cast<std::uint32_t>(whole));
+}
+
+}  // namespace cellsweep::queries

@@ -1,0 +1,82 @@
+/// @file
+/// Which boxes of two sets are left out of a search: only such as no pair has, and most of those.
+#include "one_shot/apart.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "contract/box_kinds.h"
+#include "one_shot/sets_of_boxes.h"
+
+namespace cellsweep::one_shot {
+namespace {
+
+/// Two sets, and the places of those that are left in.
+std::vector<std::uint32_t> places_left(const std::vector<Aabb>& first, const std::vector<Aabb>& second) {
+  SearchedBoxes boxes;
+  boxes.are_two = true;
+  boxes.second = boxes.second_place = static_cast<std::uint32_t>(first.size());
+  boxes.own.renew(first.size() + second.size());
+  std::copy(second.begin(), second.end(), std::copy(first.begin(), first.end(), boxes.own.data()));
+  boxes.boxes = boxes.own.view();
+  leave_out_apart(boxes);
+  std::vector<std::uint32_t> places(boxes.places.data(), boxes.places.data() + boxes.places.size());
+  if (boxes.boxes.size() == first.size() + second.size()) {
+    for (std::uint32_t place = 0; place < boxes.boxes.size(); ++place) places.push_back(place);
+  }
+  EXPECT_EQ(places.size(), boxes.boxes.size());
+  const auto end = std::ranges::lower_bound(places, boxes.second_place);
+  EXPECT_EQ(end - places.begin(), boxes.second) << "where the second set begins";
+  for (std::size_t slot = 0; slot < places.size(); ++slot) {
+    const std::uint32_t place = places[slot];
+    EXPECT_EQ(boxes.boxes[slot], place < first.size() ? first[place] : second[place - boxes.second_place]);
+  }
+  return places;
+}
+
+TEST(Apart, LeavesInWhateverHasAPair) {
+  for (const contract::BoxKind& kind : contract::box_kinds()) {
+    contract::Random random(9);
+    auto first = contract::make_boxes(kind, random, 400);
+    auto second = contract::make_boxes(kind, random, 300);
+    for (auto* boxes : {&first, &second}) {
+      for (Aabb& box : *boxes) box = contract::canonical_box(box);
+    }
+    const auto left = places_left(first, second);
+    for (const CrossPair pair : true_pairs(first, second)) {
+      EXPECT_TRUE(std::ranges::binary_search(left, pair.a)) << kind;
+      EXPECT_TRUE(std::ranges::binary_search(left, 400 + pair.b)) << kind;
+      if (HasFailure()) return;
+    }
+  }
+}
+
+TEST(Apart, LeavesOutAllOfSetsThatLieApart) {
+  const std::vector<Aabb> first(50, Aabb{{0, 0, 0}, {1, 1, 1}});
+  const std::vector<Aabb> second(50, Aabb{{2, 0, 0}, {3, 1, 1}});
+  EXPECT_TRUE(places_left(first, second).empty());
+}
+
+TEST(Apart, LeavesOutMostOfTwoSetsThatAreInterlaced) {
+  std::vector<Aabb> first, second;
+  for (int i = 0; i < 1000; ++i) {
+    const auto x = static_cast<float>(i % 10), y = static_cast<float>(i / 10 % 10),
+               z = static_cast<float>(i / 100);
+    first.push_back({{x, y, z}, {x + 0.3F, y + 0.3F, z + 0.3F}});
+    second.push_back({{x + 0.5F, y + 0.5F, z + 0.5F}, {x + 0.8F, y + 0.8F, z + 0.8F}});
+  }
+  second[0] = first[999];
+  EXPECT_LT(places_left(first, second).size(), 20U) << "their bounds are nearly the same";
+}
+
+TEST(Apart, GivesUpTheGridWhereBoxesAreLarge) {
+  const std::vector<Aabb> first(3000, Aabb{{0, 0, 0}, {1, 1, 1}});
+  std::vector<Aabb> second = first;
+  second.resize(6000, Aabb{{5, 5, 5}, {6, 6, 6}});
+  EXPECT_EQ(places_left(first, second).size(), 6000U) << "those beyond the first set's bounds are left out";
+}
+
+}  // namespace
+}  // namespace cellsweep::one_shot
