@@ -234,6 +234,12 @@ inline constexpr std::size_t kCopies = 8;
 /// one thread, roughly. EPYC, uniform 10,000, small boxes.
 inline constexpr std::size_t kQuestionsOfPart = 64;
 inline constexpr double kQuestionGuess = 300e-9;
+/// A tree of the boxes is made once questions have looked at so many boxes for each body, and for so many
+/// bodies more: about as long as it takes to make it. Xeon, uniform 1,000 to 1,000,000.
+inline constexpr std::uint64_t kTreePrice = 400;
+inline constexpr std::uint64_t kFewestPaidFor = 256;
+/// So many looks a question in a tree takes as long as.
+inline constexpr std::uint64_t kLooksInTree = 64;
 /// So many and more are answered in the order of the cells in which they begin: 4,096 rays take half as long
 /// then. EPYC, uniform 10,000 to 1,000,000. Where it begins to pay was not measured.
 inline constexpr std::size_t kQuestionsSorted = 256;

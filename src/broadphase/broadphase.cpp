@@ -9,6 +9,7 @@
 #include "base/process.h"
 #include "base/tuning.h"
 #include "broadphase/bodies/bodies.h"
+#include "broadphase/kept_tree.h"
 #include "broadphase/last_update.h"
 #include "broadphase/pairs/pair_filter.h"
 #include "broadphase/pairs/pair_order.h"
@@ -96,7 +97,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   // After a failure the engine knows nothing, or no more than a part.
   LastUpdate last_update() const {
     const CellsToQuery cells = engine_is_lost_ ? CellsToQuery() : engine_->cells();
-    return {bodies_, cells, readers_, crew_, crew_is_taken_};
+    return {bodies_, cells, kept_tree_, readers_, crew_, crew_is_taken_};
   }
 
  private:
@@ -135,6 +136,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   Crew& crew_ = *parts_.crew;
   mutable std::atomic_flag crew_is_taken_;  // by a batch of queries
   mutable Readers readers_;
+  mutable KeptTree kept_tree_;
   Bodies bodies_;
   PairFilter filter_;
   PairOrder order_;
@@ -165,6 +167,7 @@ Result<PairChanges> Broadphase::Impl::update_now() {
   name_changes(*found);
   if (anew || found->is_whole_set) pairs_.compare_with_whole_set(bodies_.removed_ids());
   attempt.succeed();
+  kept_tree_.drop();
   engine_is_lost_ = false;
   bodies_.commit();
   ++statistics_.updates;
@@ -245,7 +248,7 @@ Status Broadphase::set_filters(std::span<const BodyId> ids, std::span<const Body
 }
 
 Status Broadphase::set_filter(BodyId id, const BodyFilter& filter) {
-  return impl_->set_filters({&id, 1}, {&filter, 1});
+  return set_filters({&id, 1}, {&filter, 1});
 }
 
 std::optional<BodyFilter> Broadphase::filter(BodyId id) const {

@@ -6,6 +6,7 @@
 
 #include "base/crew.h"
 #include "broadphase/bodies/bodies.h"
+#include "broadphase/kept_tree.h"
 #include "broadphase/readers.h"
 #include "cellsweep/engine/engine.h"
 
@@ -14,6 +15,7 @@ namespace cellsweep {
 struct LastUpdate {
   const Bodies& bodies;  ///< those that the update did not see, which have boxes already, among them
   CellsToQuery cells;
+  KeptTree& tree;
   Readers& readers;
   Crew& crew;                       ///< belongs to whoever
   std::atomic_flag& crew_is_taken;  ///< has set this

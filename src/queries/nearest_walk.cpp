@@ -9,6 +9,8 @@
 #include "queries/arithmetic.h"
 #include "queries/layers.h"
 #include "queries/rows.h"
+#include "queries/tree/box_tree.h"
+#include "queries/tree/tree_price.h"
 
 namespace cellsweep::queries {
 namespace {
@@ -58,14 +60,27 @@ class NearestWalk {
     numbers_.most = square_above(std::max(nearest.most(), 0.0));
   }
 
+  void walk(const BoxTree& tree) {
+    const auto take = [](void* self, const TreeNode& node, std::uint64_t* keys, std::uint32_t count) {
+      const auto candidate = [&](std::uint32_t place) { return candidate_of(node, place); };
+      static_cast<NearestWalk*>(self)->look_at_nearest({keys, count}, candidate, [](Slot) { return true; });
+      return true;
+    };
+    world_.kernels().near_tree(tree.nodes(), numbers_, {take, this});
+  }
+
   void scan() {
+    looks_ = world_.boxes().size();
     for_each_row(world_.boxes(), [&](const BoxRow& row, Slot first) {
       look(
-          row, [&](std::uint32_t place) { return first + place; },
+          row, [&](std::uint32_t place) { return candidate(first + place); },
           [&](Slot slot) { return world_.is_seen(slot); });
       return true;
     });
   }
+
+  /// Boxes, and what is as much work.
+  std::uint64_t looks() const { return looks_; }
 
   // `gaps`: how far what is in the node is on each axis at least.
   void walk(const Node& node, const Way* above, const double (&gaps)[3]) {
@@ -73,6 +88,7 @@ class NearestWalk {
     do {
       NearCells cells;
       rings.for_each_cell([&](std::uint32_t index, const double(&here)[3]) {
+        looks_ += kLooksOfCell;
         const double square = here[0] * here[0] + here[1] * here[1] + here[2] * here[2];
         if (!is_near(square) || is_empty(node.cells[index])) return;
         if (cells.count == NearCells::kMost) walk(node, above, cells);
@@ -185,6 +201,8 @@ class NearestWalk {
     return square * (1 - 0x1p-48) <= most * most;
   }
 
+  Candidate candidate(Slot slot) const { return {slot, world_.box(slot)}; }
+
   static bool is_empty(const Cell& cell) { return cell.node == nullptr && cell.boxes.count == 0; }
 
   // And leaves none of them.
@@ -204,40 +222,53 @@ class NearestWalk {
   }
 
   void look_into(const Cell& cell, const Way& way) {
+    looks_ += cell.boxes.count;
     for_each_row(cell.boxes, [&](const BoxRow& row, std::uint32_t first) {
       const stream::TaggedBox* const boxes = cell.boxes.boxes + first;
       look(
-          row, [&](std::uint32_t place) { return boxes[place].tag & kSlotMask; },
+          row, [&](std::uint32_t place) { return candidate(boxes[place].tag & kSlotMask); },
           [&](Slot slot) { return way.leads_to(nearest_point(world_.box(slot), box_)); });
       return true;
     });
   }
 
+  template <class CandidateOf, class IsHere>
+  void look(const BoxRow& row, const CandidateOf& candidate_of, const IsHere& is_here) {
+    const std::uint32_t found = world_.kernels().near(row, numbers_, keys_.data());
+    look_at_nearest({keys_.data(), found}, candidate_of, is_here);
+  }
+
   // While the list is not full, those that seem to be nearest come first: then most others need not be looked
   // at.
-  template <class SlotOf, class IsHere>
-  void look(const BoxRow& row, const SlotOf& slot_of, const IsHere& is_here) {
-    const std::uint32_t found = world_.kernels().near(row, numbers_, keys_.data());
-    const auto first = std::min<std::size_t>(nearest_.room(), found);
-    std::partial_sort(keys_.data(), keys_.data() + first, keys_.data() + found);
-    for (std::uint32_t i = 0; i < found; ++i) {
-      if (std::bit_cast<float>(static_cast<std::uint32_t>(keys_[i] >> 32)) > numbers_.most) continue;
-      offer(slot_of(static_cast<std::uint32_t>(keys_[i])), is_here);
+  template <class CandidateOf, class IsHere>
+  void look_at_nearest(std::span<std::uint64_t> keys, const CandidateOf& candidate_of,
+                       const IsHere& is_here) {
+    const auto first = std::min(nearest_.room(), keys.size());
+    std::partial_sort(keys.data(), keys.data() + first, keys.data() + keys.size());
+    for (const std::uint64_t key : keys) {
+      if (std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)) > numbers_.most) continue;
+      offer(candidate_of(static_cast<std::uint32_t>(key)), is_here);
     }
   }
 
   template <class IsHere>
-  void offer(Slot slot, const IsHere& is_here) {
-    const Neighbor neighbor{world_.id(slot), distance_of(world_.box(slot), box_)};
+  void offer(const Candidate& candidate, const IsHere& is_here) {
+    const Slot slot = candidate.slot;
+    const double distance = distance_of(candidate.box, box_);
+    if (!(distance <= nearest_.most())) return;
+    const Neighbor neighbor{world_.id(slot), distance};
     if (!nearest_.takes(neighbor) || !is_here(slot) || !world_.is_answer(filter_, slot)) return;
     nearest_.add(neighbor);
     numbers_.most = square_above(nearest_.most());
   }
 
+  static constexpr std::uint64_t kLooksOfCell = 4;
+
   const World& world_;
   const Aabb& box_;
   const QueryFilter& filter_;
   NearestList& nearest_;
+  std::uint64_t looks_ = 0;
   NearNumbers numbers_;  // NOLINT(*-member-init): all set by the constructor
   Keys keys_;            // NOLINT(*-member-init): as far as it is read
 };
@@ -247,11 +278,13 @@ class NearestWalk {
 void walk_nearest(const World& world, const Aabb& box, const QueryFilter& filter, NearestList& nearest) {
   if (nearest.most() < 0) return;
   NearestWalk walk(world, box, filter, nearest);
+  if (const BoxTree* const tree = world.tree()) return walk.walk(*tree);
   if (world.root() != nullptr) {
     walk.walk(*world.root(), nullptr, {0, 0, 0});
   } else {
     walk.scan();
   }
+  pay_for_tree(world, walk.looks());
 }
 
 }  // namespace cellsweep::queries

@@ -10,6 +10,8 @@
 #include "queries/layer_way.h"
 #include "queries/outward.h"
 #include "queries/rows.h"
+#include "queries/tree/box_tree.h"
+#include "queries/tree/tree_price.h"
 
 namespace cellsweep::queries {
 namespace {
@@ -74,28 +76,38 @@ class PathNumbers {
 
 class PathWalk {
  public:
-  PathWalk(const World& world, const Path& path, FunctionRef<double(std::span<const Slot>)> take)
-      : kernels_(world.kernels()), numbers_(path), end_(path.end), take_(take) {
-    for (std::size_t axis = 0; axis < 3; ++axis) ways_[axis] = AxisWay(path, axis);
+  PathWalk(const World& world, const Path& path, FunctionRef<double(std::span<const Candidate>)> take)
+      : world_(world), kernels_(world.kernels()), numbers_(path), end_(path.end), take_(take) {}
+
+  void walk(const BoxTree& tree) {
+    const auto take = [](void* self, const TreeNode& node, std::uint32_t bodies) {
+      return static_cast<PathWalk*>(self)->give_bodies_of(node, bodies);
+    };
+    kernels_.cast_tree(tree.nodes(), numbers_.numbers(), {take, this});
   }
 
-  void scan(const World& world) {
-    for_each_row(world.boxes(), [&](const BoxRow& row, Slot first) {
+  void scan() {
+    looks_ = world_.boxes().size();
+    for_each_row(world_.boxes(), [&](const BoxRow& row, Slot first) {
       const std::uint32_t found = kernels_.cast(row, numbers_.numbers(), places_.data());
       std::uint32_t kept = 0;
       for (std::uint32_t i = 0; i < found; ++i) {
         const Slot slot = first + places_[i];
         places_[kept] = slot;
-        kept += world.is_seen(slot) ? 1 : 0;
+        kept += world_.is_seen(slot) ? 1 : 0;
       }
-      return give(kept);
+      return give_slots(kept);
     });
   }
 
-  void walk(const Node& node) {
+  void walk(const Node& node, const Path& path) {
+    for (std::size_t axis = 0; axis < 3; ++axis) ways_[axis] = AxisWay(path, axis);
     walk(node, {0, end_});
     look_at_waiting();
   }
+
+  /// Boxes, and what is as much work.
+  std::uint64_t looks() const { return looks_; }
 
  private:
   /// A node and the order in which its axes are cut: that along which the path crosses most cells first.
@@ -146,6 +158,7 @@ class PathWalk {
       cut_axis<kAxis + 1>(cut, cell, time);
     } else {
       if (time.from > end_) return;
+      looks_ += kLooksOfCell;
       const Cell& next = cut.cells[cell];
       if (next.node != nullptr) return walk(*next.node, time);
       if (next.boxes.count > 0) look_later(next, time.from);
@@ -165,17 +178,38 @@ class PathWalk {
   }
 
   void look(const Cell& cell) {
+    looks_ += cell.boxes.count;
     for_each_row(cell.boxes, [&](const BoxRow& row, std::uint32_t first) {
       const std::uint32_t found = kernels_.cast(row, numbers_.numbers(), places_.data());
       for (std::uint32_t i = 0; i < found; ++i)
         places_[i] = cell.boxes.boxes[first + places_[i]].tag & kSlotMask;
-      return give(found);
+      return give_slots(found);
     });
+  }
+
+  // Those in places_.
+  bool give_slots(std::uint32_t count) {
+    for (std::uint32_t first = 0; first < count; first += kGiven) {
+      const std::uint32_t given = std::min(count - first, kGiven);
+      for (std::uint32_t i = 0; i < given; ++i) {
+        const Slot slot = places_[first + i];
+        candidates_[i] = {slot, world_.box(slot)};
+      }
+      if (!give(given)) return false;
+    }
+    return true;
+  }
+
+  bool give_bodies_of(const TreeNode& node, std::uint32_t bodies) {
+    std::uint32_t count = 0;
+    for (; bodies != 0; bodies &= bodies - 1)
+      candidates_[count++] = candidate_of(node, static_cast<std::size_t>(std::countr_zero(bodies)));
+    return give(count);
   }
 
   bool give(std::uint32_t count) {
     if (count == 0) return true;
-    const double end = take_({places_.data(), count});
+    const double end = take_({candidates_.data(), count});
     if (end < end_) {
       end_ = end;
       if (end >= 0) numbers_.end(end);
@@ -190,25 +224,32 @@ class PathWalk {
   };
   static constexpr std::size_t kPrefetched = 256;
   static constexpr std::size_t kCacheLine = 64;
+  static constexpr std::uint64_t kLooksOfCell = 4;
+  static constexpr std::uint32_t kGiven = TreeNode::kBoxes;
 
+  const World& world_;
   const QueryKernels& kernels_;
   PathNumbers numbers_;
   double end_;
-  FunctionRef<double(std::span<const Slot>)> take_;
+  FunctionRef<double(std::span<const Candidate>)> take_;
   AxisWay ways_[3];
   WaitingCell waiting_;
+  std::uint64_t looks_ = 0;
   Places places_;  // NOLINT(*-member-init): as far as it is read
+  std::array<Candidate, kGiven> candidates_;
 };
 
 }  // namespace
 
-void walk_path(const World& world, const Path& path, FunctionRef<double(std::span<const Slot>)> take) {
+void walk_path(const World& world, const Path& path, FunctionRef<double(std::span<const Candidate>)> take) {
   PathWalk walk(world, path, take);
+  if (const BoxTree* const tree = world.tree()) return walk.walk(*tree);
   if (world.root() != nullptr) {
-    walk.walk(*world.root());
+    walk.walk(*world.root(), path);
   } else {
-    walk.scan(world);
+    walk.scan();
   }
+  pay_for_tree(world, walk.looks());
 }
 
 }  // namespace cellsweep::queries

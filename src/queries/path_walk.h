@@ -10,9 +10,9 @@
 
 namespace cellsweep::queries {
 
-/// Calls `take` with slots, those along the first part of the path before others mostly, and ends the path
+/// Calls `take` with bodies, those along the first part of the path before others mostly, and ends the path
 /// where it returns, which must not be later than before; less than 0 ends the walk. Every body that the path
 /// touches up to its end is among them, several times perhaps, and others are.
-void walk_path(const World& world, const Path& path, FunctionRef<double(std::span<const Slot>)> take);
+void walk_path(const World& world, const Path& path, FunctionRef<double(std::span<const Candidate>)> take);
 
 }  // namespace cellsweep::queries

@@ -8,6 +8,7 @@
 #include "queries/batch.h"
 #include "queries/checks.h"
 #include "queries/questions.h"
+#include "queries/tree/tree_price.h"
 
 namespace cellsweep {
 namespace {
@@ -71,6 +72,10 @@ Status answer_each(const Broadphase& broadphase, std::span<const Question> quest
 
 Queries Broadphase::queries() const {
   return Queries(*this);
+}
+
+void Queries::prepare() const {
+  queries::make_tree(Call(*broadphase_).world());
 }
 
 Status Queries::find_overlaps(const Region& region, std::vector<BodyId>& found,

@@ -15,6 +15,7 @@ namespace cellsweep::queries {
 namespace {
 
 using Slots = std::span<const Slot>;
+using Candidates = std::span<const Candidate>;
 
 /// A region, canonical.
 class Reach {
@@ -110,9 +111,9 @@ void list_nearest(const Asked& asked, const Aabb& box, std::size_t count, double
 void list_touches(const Asked& asked, const Path& path, std::vector<Touch>& found) {
   const auto before = static_cast<std::ptrdiff_t>(found.size());
   const Cast cast(canonical(path));
-  walk_path(asked.world, cast.path(), [&](Slots slots) {
-    for (const Slot slot : slots) {
-      const auto time = cast.touch(asked.world.box(slot), path.end);
+  walk_path(asked.world, cast.path(), [&](Candidates candidates) {
+    for (const auto& [slot, box] : candidates) {
+      const auto time = cast.touch(box, path.end);
       if (time && asked.world.may_be_answer(asked.filter, slot))
         found.push_back({asked.world.id(slot), *time});
     }
@@ -131,9 +132,9 @@ void visit_touches(const Asked& asked, const Path& path, FunctionRef<double(cons
   std::unordered_set<Slot> seen;
   const Cast cast(canonical(path));
   double end = path.end;
-  walk_path(asked.world, cast.path(), [&](Slots slots) {
-    for (const Slot slot : slots) {
-      const auto time = cast.touch(asked.world.box(slot), end);
+  walk_path(asked.world, cast.path(), [&](Candidates candidates) {
+    for (const auto& [slot, box] : candidates) {
+      const auto time = cast.touch(box, end);
       if (!time || !seen.insert(slot).second || !asked.world.is_answer(asked.filter, slot)) continue;
       end = std::min(end, visit({asked.world.id(slot), *time}, end));
       if (!(end >= 0)) return -1.0;
@@ -145,10 +146,9 @@ void visit_touches(const Asked& asked, const Path& path, FunctionRef<double(cons
 bool any_touch(const Asked& asked, const Path& path) {
   bool any = false;
   const Cast cast(canonical(path));
-  walk_path(asked.world, cast.path(), [&](Slots slots) {
-    for (const Slot slot : slots) {
-      if (!cast.touch(asked.world.box(slot), path.end) || !asked.world.is_answer(asked.filter, slot))
-        continue;
+  walk_path(asked.world, cast.path(), [&](Candidates candidates) {
+    for (const auto& [slot, box] : candidates) {
+      if (!cast.touch(box, path.end) || !asked.world.is_answer(asked.filter, slot)) continue;
       any = true;
       return -1.0;
     }
@@ -160,10 +160,11 @@ bool any_touch(const Asked& asked, const Path& path) {
 std::optional<Touch> first_touch(const Asked& asked, const Path& path) {
   std::optional<Touch> first;
   const Cast cast(canonical(path));
-  walk_path(asked.world, cast.path(), [&](Slots slots) {
-    for (const Slot slot : slots) {
-      const auto time = cast.touch(asked.world.box(slot), path.end);
+  walk_path(asked.world, cast.path(), [&](Candidates candidates) {
+    for (const auto& [slot, box] : candidates) {
+      const auto time = cast.touch(box, path.end);
       if (!time) continue;
+      if (first && *time > first->time) continue;
       const Touch touch{asked.world.id(slot), *time};
       if (first && !comes_before(touch, *first)) continue;
       if (asked.world.is_answer(asked.filter, slot)) first = touch;

@@ -1,7 +1,11 @@
 #include "queries/region_walk.h"
 
+#include <bit>
+
 #include "engines/stream/cells/cell_tree.h"
 #include "queries/rows.h"
+#include "queries/tree/box_tree.h"
+#include "queries/tree/tree_price.h"
 
 namespace cellsweep::queries {
 namespace {
@@ -13,6 +17,14 @@ class RegionWalk {
  public:
   RegionWalk(const World& world, const Aabb& box, FunctionRef<bool(std::span<const Slot>)> take)
       : kernels_(world.kernels()), box_(box), take_(take) {}
+
+  bool walk(const BoxTree& tree) {
+    const auto take = [](void* self, const TreeNode& node, std::uint32_t bodies) {
+      return static_cast<RegionWalk*>(self)->give_bodies_of(node, bodies);
+    };
+    kernels_.overlap_tree(tree.nodes(), box_, {take, this});
+    return goes_on_;
+  }
 
   bool scan(const World& world) {
     return for_each_row(world.boxes(), [&](const BoxRow& row, Slot first) {
@@ -54,11 +66,19 @@ class RegionWalk {
     });
   }
 
+  bool give_bodies_of(const TreeNode& node, std::uint32_t bodies) {
+    std::uint32_t count = 0;
+    for (; bodies != 0; bodies &= bodies - 1) places_[count++] = node.content[std::countr_zero(bodies)];
+    goes_on_ = give(count);
+    return goes_on_;
+  }
+
   bool give(std::uint32_t count) { return count == 0 || take_({places_.data(), count}); }
 
   const QueryKernels& kernels_;
   const Aabb& box_;
   FunctionRef<bool(std::span<const Slot>)> take_;
+  bool goes_on_ = true;
   Places places_;  // NOLINT(*-member-init): as far as it is read
 };
 
@@ -66,7 +86,11 @@ class RegionWalk {
 
 bool walk_region(const World& world, const Aabb& box, FunctionRef<bool(std::span<const Slot>)> take) {
   RegionWalk walk(world, box, take);
-  return world.root() != nullptr ? walk.walk(*world.root(), stream::kWholeFlags) : walk.scan(world);
+  if (world.root() != nullptr) return walk.walk(*world.root(), stream::kWholeFlags);
+  if (const BoxTree* const tree = world.tree()) return walk.walk(*tree);
+  const bool goes_on = walk.scan(world);
+  pay_for_tree(world, world.boxes().size());
+  return goes_on;
 }
 
 }  // namespace cellsweep::queries

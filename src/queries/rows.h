@@ -13,6 +13,12 @@
 
 namespace cellsweep::queries {
 
+/// Of a body in a tree's node.
+inline Candidate candidate_of(const TreeNode& node, std::size_t place) {
+  const auto face = [&](std::size_t number) { return node.faces[number][place]; };
+  return {node.content[place], {{face(0), face(1), face(2)}, {face(3), face(4), face(5)}}};
+}
+
 /// What a kernel writes.
 using Places = std::array<std::uint32_t, kRowBoxes + kMostLanes>;
 using Keys = std::array<std::uint64_t, kRowBoxes + kMostLanes>;

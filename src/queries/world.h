@@ -11,6 +11,12 @@
 
 namespace cellsweep::queries {
 
+/// A body that may be an answer.
+struct Candidate {
+  Slot slot;
+  Aabb box;
+};
+
 class World {
  public:
   explicit World(const LastUpdate& last)
@@ -19,6 +25,7 @@ class World {
         ids_(last.bodies.table().ids()),
         filters_(last.bodies.filters().view()),
         root_(last.cells.root),
+        kept_tree_(last.tree),
         kernels_(query_kernels(last.cells.isa)) {}
 
   /// By slot, NaN where nobody is.
@@ -32,6 +39,10 @@ class World {
   /// The cells, which hold those whom the last update saw; null: there are none.
   const stream::Node* root() const { return root_; }
   const QueryKernels& kernels() const { return kernels_; }
+
+  /// A tree of the same bodies; null: there is none, or not yet.
+  const BoxTree* tree() const { return kept_tree_.get(); }
+  KeptTree& kept_tree() const { return kept_tree_; }
 
   /// Whether a filter lets a body be an answer: but for the predicate, and all of it.
   bool may_be_answer(const QueryFilter& question, Slot slot) const {
@@ -47,6 +58,7 @@ class World {
   const BodyId* ids_;
   std::span<const BodyFilter> filters_;
   const stream::Node* root_;
+  KeptTree& kept_tree_;
   const QueryKernels& kernels_;
 };
 

@@ -1,7 +1,6 @@
 #include <immintrin.h>
 
-#include "engines/stream/kernels/eight_avx2.h"
-#include "queries/kernels/body.h"
+#include "queries/kernels/lanes_avx2.h"
 #include "queries/kernels/sets.h"
 
 namespace cellsweep::queries {
@@ -87,6 +86,6 @@ struct Avx512TaggedLanes : Avx512QueryLanes {
 }  // namespace
 
 constinit const QueryKernels kAvx512Queries =
-    make_query_kernels<Avx512TaggedLanes, Avx512QueryLanes>(VectorIsa::avx512);
+    make_query_kernels<Avx512TaggedLanes, Avx512QueryLanes, Avx2QueryLanes>(VectorIsa::avx512);
 
 }  // namespace cellsweep::queries

@@ -7,6 +7,7 @@
 
 #include "cellsweep/aabb.h"
 #include "cellsweep/vector_isa.h"
+#include "queries/kernels/tree_node.h"
 
 namespace cellsweep::queries {
 
@@ -43,9 +44,21 @@ struct NearNumbers {
   float most;
 };
 
-/// The kernels of one instruction set. Each writes the places in the row of all boxes that may be answers and
-/// some more, which rounding made look like some, and returns how many these are. A box of NaN is none. There
-/// is room for a whole vector behind kRowBoxes places.
+/// Who gets what a walk through a tree finds: bodies of a node, a bit for each. False ends the walk. The
+/// question may become smaller in the call.
+struct TakeBodies {
+  bool (*take)(void* self, const TreeNode& node, std::uint32_t bodies);
+  void* self;
+};
+/// The same with keys, whose lower half is a body's place in the node.
+struct TakeNearBodies {
+  bool (*take)(void* self, const TreeNode& node, std::uint64_t* keys, std::uint32_t count);
+  void* self;
+};
+
+/// The kernels of one instruction set. Each of the first three writes the places in the row of all boxes that
+/// may be answers and some more, which rounding made look like some, and returns how many these are. A box of
+/// NaN is none. There is room for a whole vector behind kRowBoxes places.
 struct QueryKernels {
   VectorIsa isa;
 
@@ -58,6 +71,12 @@ struct QueryKernels {
   /// Boxes that are near enough. Above the place stand the bits of a number no larger than the square of the
   /// distance: keys ascend as these do.
   std::uint32_t (*near)(const BoxRow& row, const NearNumbers& question, std::uint64_t* keys);
+
+  /// The same for the bodies of a tree. Nodes that a path comes to first, or that are nearer, come before
+  /// others.
+  void (*overlap_tree)(const TreeNode* nodes, const Aabb& box, const TakeBodies& take);
+  void (*cast_tree)(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take);
+  void (*near_tree)(const TreeNode* nodes, const NearNumbers& question, const TakeNearBodies& take);
 };
 
 /// Those of an instruction set that the machine has, or the widest below it that there are.

@@ -27,6 +27,6 @@ struct PortableQueryLanes : LanesInOrder<4> {
 }  // namespace
 
 constinit const QueryKernels kPortableQueries =
-    make_query_kernels<PortableQueryLanes, PortableQueryLanes>(VectorIsa::portable);
+    make_query_kernels<PortableQueryLanes, PortableQueryLanes, PortableQueryLanes>(VectorIsa::portable);
 
 }  // namespace cellsweep::queries

@@ -1,0 +1,23 @@
+/// @file
+/// A node of the tree of boxes, as the kernels of queries read it.
+#pragma once
+
+#include <cstdint>
+
+namespace cellsweep::queries {
+
+/// Boxes side by side, each of a body or of another node.
+struct alignas(32) TreeNode {
+  static constexpr unsigned kBoxes = 8;
+
+  float faces[6][kBoxes];         ///< minima by axis, then maxima; NaN where there is no box
+  std::uint32_t content[kBoxes];  ///< a body's slot, or a node's place in the tree
+  std::uint32_t bodies;           ///< a bit for each box that is a body's
+};
+
+/// No walk through a tree has more nodes before it at a time: each of the at most kTreeDepth nodes above one
+/// leaves seven.
+inline constexpr unsigned kTreeDepth = 36;
+inline constexpr unsigned kWaitingNodes = kTreeDepth * (TreeNode::kBoxes - 1) + 1;
+
+}  // namespace cellsweep::queries
