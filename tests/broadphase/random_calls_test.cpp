@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
 #include "broadphase/bodies/shown.h"
 #include "broadphase/pairs/pair_order.h"
@@ -370,7 +371,7 @@ TEST_P(RandomRooms, HoldWhatPlainMapsHold) {
 INSTANTIATE_TEST_SUITE_P(Ids, RandomRooms,
                          testing::Combine(testing::Values(Family{"dense", 1}, Family{"mixed", 17'000},
                                                           Family{"scattered", 47'000'000}),
-                                          testing::Values(1U, 3U)),
+                                          numbers_of_workers()),
                          [](const auto& test) {
                            return std::get<0>(test.param).name + std::string("_with_") +
                                   std::to_string(std::get<1>(test.param)) + "_workers";

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
 #include "broadphase/bodies/shown.h"
 
@@ -162,7 +163,7 @@ TEST_P(RefusedCall, OfNobodyIsNone) {
   EXPECT_EQ(shown_by(bodies_), before_);
 }
 
-INSTANTIATE_TEST_SUITE_P(Workers, RefusedCall, testing::Values(1U, 3U));
+INSTANTIATE_TEST_SUITE_P(Workers, RefusedCall, numbers_of_workers());
 
 }  // namespace
 }  // namespace cellsweep

@@ -11,6 +11,7 @@
 #include <set>
 #include <vector>
 
+#include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
 #include "broadphase/bodies/shown.h"
 #include "contract/random.h"
@@ -59,7 +60,7 @@ class StagedBoxesTest : public testing::TestWithParam<unsigned> {
   StagedBoxes boxes_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Workers, StagedBoxesTest, testing::Values(1U, 3U));
+INSTANTIATE_TEST_SUITE_P(Workers, StagedBoxesTest, numbers_of_workers());
 
 TEST_P(StagedBoxesTest, ShowNothingOfThoseThatAreStagedBeforeTheyAreInserted) {
   const std::vector<Aabb> boxes = boxes_from(700, 1000);
@@ -234,7 +235,7 @@ TEST_P(RandomStages, HoldWhatPlainArraysHold) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Workers, RandomStages, testing::Values(1U, 3U));
+INSTANTIATE_TEST_SUITE_P(Workers, RandomStages, numbers_of_workers());
 
 }  // namespace
 }  // namespace cellsweep

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/memory/starved.h"
+#include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
 #include "contract/random.h"
 
@@ -208,7 +209,7 @@ TEST_P(PairOrderTest, NeedsNoMoreMemoryForAsManyPairsAgain) {
   EXPECT_EQ(order_.bytes(), bytes);
 }
 
-INSTANTIATE_TEST_SUITE_P(Workers, PairOrderTest, testing::Values(1U, 3U));
+INSTANTIATE_TEST_SUITE_P(Workers, PairOrderTest, numbers_of_workers());
 
 }  // namespace
 }  // namespace cellsweep

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
 #include "broadphase/bodies/bodies.h"
 #include "engines/stream/stream.h"
@@ -135,7 +136,7 @@ TEST_P(EngineMemory, GoesBackInTheUpdateThatIsRefused) {
       << "it found " << most * 8 << " bytes of pairs";
 }
 
-INSTANTIATE_TEST_SUITE_P(Workers, EngineMemory, testing::Values(1U, 3U));
+INSTANTIATE_TEST_SUITE_P(Workers, EngineMemory, numbers_of_workers());
 
 }  // namespace
 }  // namespace cellsweep::stream

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/memory/starved.h"
+#include "base/numbers_of_workers.h"
 #include "engines/stream/worlds.h"
 
 namespace cellsweep::stream {
@@ -214,7 +215,7 @@ TEST_P(RebuildTest, IsExactWhereverMemoryFails) {
   EXPECT_GT(n, 8U) << "memory is asked for in fewer places than there are";
 }
 
-INSTANTIATE_TEST_SUITE_P(Threads, RebuildTest, testing::Values(1, 3));
+INSTANTIATE_TEST_SUITE_P(Threads, RebuildTest, numbers_of_workers());
 
 }  // namespace
 }  // namespace cellsweep::stream

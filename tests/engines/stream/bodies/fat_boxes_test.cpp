@@ -12,6 +12,7 @@
 #include <set>
 #include <vector>
 
+#include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/worlds.h"
@@ -324,7 +325,7 @@ TEST_P(FatBoxesTest, EncloseTheirBoxesThroughAnyChanges) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Workers, FatBoxesTest, testing::Values(1U, 3U));
+INSTANTIATE_TEST_SUITE_P(Workers, FatBoxesTest, numbers_of_workers());
 
 }  // namespace
 }  // namespace cellsweep::stream

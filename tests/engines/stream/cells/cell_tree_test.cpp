@@ -8,8 +8,10 @@
 #include <set>
 #include <vector>
 
+#include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
 #include "contract/box_kinds.h"
+#include "contract/effort.h"
 #include "engines/oracle/brute_force.h"
 #include "engines/stream/worlds.h"
 
@@ -229,7 +231,8 @@ TEST_P(CellTreeTest, StopsAtMorePairsThanThereMayBe) {
 TEST_P(CellTreeTest, StopsAtChangesThatTakeMoreThanToBeMadeAnew) {
   // Points, among which sheets would come into a thousand cells each.
   Random random(8);
-  std::vector<Aabb> points(20'000);
+  constexpr std::size_t kPoints = contract::effort(20'000, 3000);
+  std::vector<Aabb> points(kPoints);
   for (Aabb& point : points) point = cube_in(random, 1e-4F, 1);
   build(points);
   for (Slot slot = 0; slot < 2000; ++slot) {
@@ -255,7 +258,7 @@ TEST_P(CellTreeTest, StopsAtChangesThatTakeMoreThanToBeMadeAnew) {
   EXPECT_THROW(ask_often(), TooMuchWork);
 }
 
-INSTANTIATE_TEST_SUITE_P(Workers, CellTreeTest, testing::Values(1U, 3U));
+INSTANTIATE_TEST_SUITE_P(Workers, CellTreeTest, numbers_of_workers());
 
 }  // namespace
 }  // namespace cellsweep::stream

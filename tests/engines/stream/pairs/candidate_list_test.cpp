@@ -8,8 +8,10 @@
 #include <set>
 #include <vector>
 
+#include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
 #include "base/tuning.h"
+#include "contract/effort.h"
 #include "contract/random.h"
 
 namespace cellsweep::stream {
@@ -178,7 +180,7 @@ TEST_P(CandidateListTest, StaysAsItIsWhenNothingChanges) {
 TEST_P(CandidateListTest, ChangesOneByOneAmountToTheSameSet) {
   Random random(2);
   std::set<SlotPair> truth;
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < contract::effort(200, 40, 40); ++round) {
     const std::size_t bodies = round % 10 == 0 ? 300 : 3;
     std::vector<Slot> slots(bodies);
     for (Slot& slot : slots) slot = static_cast<Slot>(random.below(kSlots));
@@ -221,7 +223,7 @@ TEST_P(CandidateListTest, ChangesOneByOneAmountToTheSameSet) {
   EXPECT_GE(list_.bytes(), truth.size() * sizeof(SlotPair));
 }
 
-INSTANTIATE_TEST_SUITE_P(Workers, CandidateListTest, testing::Values(1U, 3U));
+INSTANTIATE_TEST_SUITE_P(Workers, CandidateListTest, numbers_of_workers());
 
 }  // namespace
 }  // namespace cellsweep::stream

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
 #include "base/tuning.h"
 #include "engines/stream/worlds.h"
@@ -222,7 +223,7 @@ TEST_P(OverlapMarksTest, AreAsGoodForVeryManyCandidates) {
   EXPECT_GE(marks_.bytes(), candidates_.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Workers, OverlapMarksTest, testing::Values(1U, 3U));
+INSTANTIATE_TEST_SUITE_P(Workers, OverlapMarksTest, numbers_of_workers());
 
 }  // namespace
 }  // namespace cellsweep::stream
