@@ -46,6 +46,7 @@ class OwnQueries final : public QueryPeer {
     for (std::size_t i = 0; i < ids_.size(); ++i) ids_[i] = static_cast<BodyId>(i);
     check(world_.insert(ids_, boxes));
     check(world_.update().status());
+    world_.queries().prepare();
   }
 
   void move_all() override {

@@ -71,7 +71,10 @@ class Apart {
     if (!find_space()) return keep([](std::size_t, const BoxLanes&) { return false; });
     const BoxLanes space(space_);
     const CoarseGrid grid(space_);
-    if (!mark(grid)) return keep([&](std::size_t, const BoxLanes& box) { return overlap(box, space); });
+    // Few boxes are swept in less time than it takes to mark where they are.
+    const bool are_few = boxes_.boxes.size() <= tuning::kMostSwept;
+    if (are_few || !mark(grid))
+      return keep([&](std::size_t, const BoxLanes& box) { return overlap(box, space); });
     keep([&](std::size_t set, const BoxLanes& box) {
       const Cells& others = cells_.data()[1 - set];
       const auto meets = [&](std::size_t row, std::uint64_t bits) { return (others[row] & bits) != 0; };

@@ -36,16 +36,24 @@ PairSearch::PairSearch(Crew& crew, const stream::Kernels& kernels, const Searche
     make_pieces();
   } else if (!boxes.are_two && all <= tuning::kOneCell) {
     make_one_cell();
-  } else if (boxes.are_two || !sweep()) {
+  } else if (!sweep()) {
     make_tree();
   }
 }
 
 PairSearch::~PairSearch() = default;
 
-// False when there are many, or cells take less.
+// False when there are many, or cells take less. Of two sets, filters leave out the pairs within each.
 bool PairSearch::sweep() {
   if (kernels_.sweep == nullptr || boxes_.boxes.size() > tuning::kMostSwept) return false;
+  if (boxes_.are_two) {
+    constexpr BodyFilter kFirst{.category = 1, .mask = 2};
+    constexpr BodyFilter kSecond{.category = 2, .mask = 1};
+    sets_.renew(boxes_.boxes.size());
+    std::fill_n(sets_.data(), boxes_.second, kFirst);
+    std::fill(sets_.data() + boxes_.second, sets_.data() + sets_.size(), kSecond);
+    swept_.allow(std::as_const(sets_).view());
+  }
   return stream::Sweep().find(kernels_, boxes_.boxes, swept_);
 }
 

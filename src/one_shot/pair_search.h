@@ -47,6 +47,7 @@ class PairSearch {
   const stream::Kernels& kernels_;
   const CrossKernel cross_;
   const SearchedBoxes& boxes_;
+  Array<BodyFilter> sets_;           // of those that are swept
   stream::Keys swept_;               // found already, in the place of cells
   Array<stream::TaggedBox> tagged_;  // of cells without a tree
   Array<stream::CellBoxes> made_;    // those
