@@ -121,7 +121,7 @@ void add_isa_engines(std::vector<ContractEngine>&) {}
 }
 
 /// Engines that never have a second thread.
-void add_engines_of_one_thread(std::vector<ContractEngine>& engines) {
+[[maybe_unused]] void add_engines_of_one_thread(std::vector<ContractEngine>& engines) {
   engines.push_back(engine_with_options("control", ControlOptions{.pair_map_bytes = kSmallPairMap},
                                         "control_with_a_small_pair_map"));
   engines.push_back(engine_with_options("stream", StreamOptions{.threads = 1, .isa = VectorIsa::portable},
