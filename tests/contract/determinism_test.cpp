@@ -16,9 +16,9 @@
 namespace cellsweep::contract {
 namespace {
 
-constexpr std::size_t kBodiesOfRuns = effort(60, 20);
+constexpr std::size_t kBodiesOfRuns = effort(60, 40, 20);
 constexpr std::uint64_t kSeed = 7;
-constexpr int kStepsOfRuns = effort(15, 3);
+constexpr int kStepsOfRuns = effort(15, 5, 3);
 
 /// The answers to one random sequence of calls, in the engine's own order.
 std::vector<Answer> answers_of(const ContractEngine& engine, const BoxKind& kind) {

@@ -75,7 +75,7 @@ constexpr std::size_t kManyInLongForm = 1024;
 constexpr std::size_t kManyOfSlow = 300;
 /// Two million pairs in the long form, which a sanitized build would take a minute an engine to sort and
 /// compare.
-constexpr std::size_t kManyIdentical = effort(1024, 512, 300);
+constexpr std::size_t kManyIdentical = effort(1024, 300, 300);
 
 class ManyBodiesContract : public PerEngine {
  protected:
