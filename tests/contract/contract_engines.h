@@ -27,8 +27,12 @@ struct ContractEngine {
   bool takes_poses = false;
 };
 
-/// Every engine of the table with default settings, then the extra settings. A new engine is here by being in
-/// the table; settings that give up exactness (`literal`) are never here.
+/// Whether an engine of the table is tested: every one is, but with the thread sanitizer those that never
+/// have a second thread.
+bool takes_part(std::string_view name);
+
+/// Every engine of the table that takes part with default settings, then the extra settings. A new engine is
+/// here by being in the table; settings that give up exactness (`literal`) are never here.
 const std::vector<ContractEngine>& contract_engines();
 
 /// An engine of the table by name, with settings as texts.

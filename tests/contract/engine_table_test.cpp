@@ -169,6 +169,7 @@ TEST(EngineSettings, OfTwoValuesForOneTheLastCounts) {
 
 TEST(ContractSuite, RunsOnEveryEngineWithItsDefaultsWhichAreExact) {
   for (const EngineInfo& info : every_engine()) {
+    if (!takes_part(info.name)) continue;
     EXPECT_TRUE(std::ranges::any_of(contract_engines(), [&](const ContractEngine& engine) {
       return engine.name == info.name && engine.label == label_of(info.name);
     })) << info.name;
