@@ -4,7 +4,7 @@
 packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev nlohmann-json3-dev libgtest-dev
   libgmock-dev libbenchmark-dev libembree-dev libpng-dev libzip-dev libglfw3-dev libepoxy-dev libimgui-dev)
 packages_to_draw=(gnuplot-nox)
-packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy)
+packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy abigail-tools)
 packages_for_clang=(clang libclang-rt-14-dev)
 packages_for_style=(clang-format clang-tidy)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev libnanoflann-dev)
@@ -20,7 +20,7 @@ explain_other_systems() {
   say "that is: a C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, CLI11 2.1, nlohmann-json 3.11, GoogleTest 1.12 and"
   say "Google Benchmark 1.7; for pictures Embree 3 and libpng, for traces libzip, for the window GLFW 3.3, libepoxy and Dear ImGui,"
   say "for figures gnuplot, for the window's tests Xvfb, for those of job systems oneTBB, for the example in Bullet Bullet,"
-  say "for Python's side of traces NumPy."
+  say "for Python's side of traces NumPy, to compare the face for C with its description abigail-tools."
   say "Then run again with CELLSWEEP_SKIP_PACKAGES=1 in the environment."
 }
 

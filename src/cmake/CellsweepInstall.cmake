@@ -42,7 +42,7 @@ endfunction()
 
 cellsweep_install_library(
   core cellsweep "" " -pthread"
-  aabb.h box_view.h broadphase.h engine engines.h executor.h export.h filter.h find_pairs.h function_ref.h options.h pair.h
+  aabb.h box_view.h broadphase.h c c.h engine engines.h executor.h export.h filter.h find_pairs.h function_ref.h options.h pair.h
   pair_history.h query.h statistics.h status.h stream_view.h vector_isa.h)
 if(TARGET cellsweep_world)
   cellsweep_install_library(world cellsweep_world "cellsweep eigen3" "${CELLSWEEP_LIBZIP}" pose.h world)
@@ -56,7 +56,7 @@ endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/cellsweep-config.cmake.in cellsweep-config.cmake
                               INSTALL_DESTINATION ${cellsweep_package_dir})
-write_basic_package_version_file(cellsweep-config-version.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(cellsweep-config-version.cmake COMPATIBILITY SameMajorVersion)
 install(
   FILES ${CMAKE_CURRENT_BINARY_DIR}/cellsweep-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/cellsweep-config-version.cmake
   DESTINATION ${cellsweep_package_dir}

@@ -11,7 +11,7 @@ namespace cellsweep::report {
 /// Name and value, for a person: cpu, cores, system, compiler, flags, build type, commit.
 std::vector<std::pair<std::string, std::string>> build_context();
 
-/// "cellsweep 0.1.0, commit 0123456789ab".
+/// "cellsweep 1.0.0, commit 0123456789ab".
 std::string version_text();
 
 }  // namespace cellsweep::report

@@ -21,7 +21,7 @@ class List {
     if (size <= capacity_) return;
     const std::size_t more = capacity_ + capacity_ / 2;
     const std::size_t wanted = size > more ? size : more;
-    auto* larger = grow_memory(reinterpret_cast<std::byte*>(memory_.get()), wanted * sizeof(T));
+    auto* larger = grow_memory(reinterpret_cast<std::byte*>(memory_.get()), bytes(), wanted * sizeof(T));
     static_cast<void>(memory_.release());
     memory_.reset(reinterpret_cast<T*>(larger));
     capacity_ = wanted;

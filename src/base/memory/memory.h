@@ -20,11 +20,23 @@ inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
 /// more; a block of some megabytes asks for huge pages: a page fault costs as much. Throws std::bad_alloc.
 /// Safe to call from any thread.
 std::byte* take_memory(std::size_t bytes, std::size_t alignment = alignof(std::max_align_t));
-/// More memory, at least for `bytes`, that begins with what was in `memory`, which it replaces; null is fine.
-/// As take_memory() without an alignment.
-std::byte* grow_memory(std::byte* memory, std::size_t bytes);
+/// More memory, for `bytes`, that begins with the `held` bytes that were in `memory`, which it replaces; null
+/// is fine. As take_memory() without an alignment.
+std::byte* grow_memory(std::byte* memory, std::size_t held, std::size_t bytes);
 
 void give_memory(void* memory);
+
+/// Where memory comes from in the place of the system.
+struct MemorySource {
+  /// Null where there is none. `alignment` is a power of two.
+  void* (*take)(void* context, std::size_t bytes, std::size_t alignment) = nullptr;
+  void (*give)(void* context, void* memory) = nullptr;
+  void* context = nullptr;
+};
+
+/// All memory comes from there from now on. False, and nothing has changed, once any was taken: one who gets
+/// it back must be the one who gave it. Not while another thread takes some.
+bool set_memory_source(const MemorySource& source);
 
 /// For tests: the n-th take_memory() from now on fails, once; 0 for none.
 void let_memory_fail(std::uint64_t n);

@@ -47,10 +47,11 @@ TEST(Memory, BlocksOfEverySizeAreAlignedAndMayBeWrittenToTheirEnds) {
 }
 
 TEST(Memory, AGrownBlockBeginsWithWhatWasInIt) {
-  std::byte* memory = grow_memory(nullptr, 3);
+  std::byte* memory = grow_memory(nullptr, 0, 3);
   std::memcpy(memory, "abc", 3);
-  for (std::size_t size = 4; size < 3 * kHugePage; size *= 7) {
-    memory = grow_memory(memory, size);
+  std::size_t held = 3;
+  for (std::size_t size = 4; size < 3 * kHugePage; held = size, size *= 7) {
+    memory = grow_memory(memory, held, size);
     EXPECT_EQ(std::memcmp(memory, "abc", 3), 0) << size;
     std::memset(memory + 3, 0xa5, size - 3);
   }
@@ -82,7 +83,7 @@ TEST(Memory, ABlockThatCannotGrowIsAsItWas) {
   std::memset(memory.get(), 7, 100);
   {
     const FailingMemory failing(1);
-    EXPECT_THROW(grow_memory(memory.get(), 1000), std::bad_alloc);
+    EXPECT_THROW(grow_memory(memory.get(), 100, 1000), std::bad_alloc);
   }
   EXPECT_TRUE(
       std::all_of(memory.get(), memory.get() + 100, [](std::byte value) { return value == std::byte{7}; }));
@@ -108,7 +109,7 @@ TEST(Memory, MoreThanThereIsThrows) {
   for (const std::size_t size : {kMost, kMost - 64, kMost / 2}) {
     EXPECT_THROW(take_memory(size), std::bad_alloc);
     Memory<std::byte> memory(take_memory(10));
-    EXPECT_THROW(grow_memory(memory.get(), size), std::bad_alloc);
+    EXPECT_THROW(grow_memory(memory.get(), 10, size), std::bad_alloc);
   }
 }
 #endif

@@ -25,8 +25,10 @@ void Keys::make_more_room(KeyBuffer& buffer, std::size_t more) {
   if (buffer.size > buffer.most) throw TooManyPairs();
   if (buffer.capacity - buffer.size >= std::max(more, buffer.capacity / 4)) return;
   const std::size_t capacity = std::max(2 * buffer.capacity, buffer.size + more + 1000);
+  constexpr std::size_t kBytes = sizeof(std::uint64_t);
   auto* memory = reinterpret_cast<std::byte*>(buffer.keys);
-  buffer.keys = reinterpret_cast<std::uint64_t*>(grow_memory(memory, capacity * sizeof(std::uint64_t)));
+  memory = grow_memory(memory, buffer.size * kBytes, capacity * kBytes);
+  buffer.keys = reinterpret_cast<std::uint64_t*>(memory);
   buffer.capacity = capacity;
 }
 

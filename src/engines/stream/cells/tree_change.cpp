@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "cellsweep/function_ref.h"
 #include "engines/stream/cells/tree_build.h"
 
 namespace cellsweep::stream {
@@ -96,22 +97,26 @@ void TreeChanger::change(std::span<const FatBoxChange> changes, Node& root) {
   });
 }
 
-void TreeChanger::change_one(const FatBoxChange& change, Node& root) {
-  struct CellVisit {
-    std::uint32_t cell;
-    Visit visit;
+// Says how many cells one body visits, and lists them unless the list is null. By a reference to a function,
+// for the size of programs: the ways through a grid, with what is done at each place in them, would be 12 KB.
+std::size_t TreeChanger::list_cells(const FatBoxChange& change, const Grid& grid, CellVisit* list) const {
+  std::size_t count = 0;
+  const auto note = [&](std::uint32_t cell, const Visit& visit) {
+    if (list != nullptr) list[count] = {cell, visit};
+    ++count;
   };
+  for_each_visit(first_visit(change, 0), grid, FunctionRef<void(std::uint32_t, const Visit&)>(note));
+  return count;
+}
+
+void TreeChanger::change_one(const FatBoxChange& change, Node& root) {
   changes_ = {&change, 1};
   finds_pairs_ = false;
   Scratch& scratch = *scratches_[0];
-  std::size_t count = 0;
-  for_each_visit(first_visit(change, 0), root.grid, [&](std::uint32_t, const Visit&) { ++count; });
+  const std::size_t count = list_cells(change, root.grid, nullptr);
   check_visits(count, scratch);
   auto* visits = scratch.job.take<CellVisit>(count);
-  CellVisit* end = visits;
-  for_each_visit(first_visit(change, 0), root.grid, [&](std::uint32_t cell, const Visit& visit) {
-    *end++ = CellVisit{cell, visit};
-  });
+  CellVisit* const end = visits + list_cells(change, root.grid, visits);
   // Of a cell that it stays in, the visit that takes it out comes first.
   std::sort(visits, end, [](const CellVisit& one, const CellVisit& other) {
     if (one.cell != other.cell) return one.cell < other.cell;

@@ -28,6 +28,10 @@ class TreeChanger {
   };
 
   static constexpr std::uint8_t kThere = 8;
+  struct CellVisit {
+    std::uint32_t cell;
+    Visit visit;
+  };
 
   template <class Emit>
   void for_each_visit(const Visit& visit, const Grid& grid, Emit&& emit) const;
@@ -37,6 +41,8 @@ class TreeChanger {
   void make_room(CellBoxes& cell, std::uint32_t more, Scratch& scratch) const;
   static std::span<Visit> merge(std::span<Visit> visits);
   static Visit first_visit(const FatBoxChange& change, std::size_t index);
+  [[gnu::noinline]] std::size_t list_cells(const FatBoxChange& change, const Grid& grid,
+                                           CellVisit* list) const;
 
   Crew& crew_;
   const Kernels& kernels_;
