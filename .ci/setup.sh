@@ -4,7 +4,9 @@
 packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev nlohmann-json3-dev libgtest-dev
   libgmock-dev libbenchmark-dev libembree-dev libpng-dev libzip-dev libglfw3-dev libepoxy-dev libimgui-dev)
 packages_to_draw=(gnuplot-nox)
-packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy abigail-tools)
+packages_for_python=(pybind11-dev python3-dev python3-numpy python3-scipy python3-rtree)
+packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy abigail-tools
+  "${packages_for_python[@]}" python3-pytest python3-matplotlib mypy python3-pip python3-setuptools python3-wheel)
 packages_for_clang=(clang libclang-rt-14-dev)
 packages_for_style=(clang-format clang-tidy)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev libnanoflann-dev)
@@ -20,7 +22,8 @@ explain_other_systems() {
   say "that is: a C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, CLI11 2.1, nlohmann-json 3.11, GoogleTest 1.12 and"
   say "Google Benchmark 1.7; for pictures Embree 3 and libpng, for traces libzip, for the window GLFW 3.3, libepoxy and Dear ImGui,"
   say "for figures gnuplot, for the window's tests Xvfb, for those of job systems oneTBB, for the example in Bullet Bullet,"
-  say "for Python's side of traces NumPy, to compare the face for C with its description abigail-tools."
+  say "for Python's side of traces NumPy, to compare the face for C with its description abigail-tools,"
+  say "for the module for Python pybind11, Python's headers, pytest, matplotlib, mypy, pip, SciPy and rtree."
   say "Then run again with CELLSWEEP_SKIP_PACKAGES=1 in the environment."
 }
 
@@ -42,6 +45,7 @@ install_packages() {
     return 1
   fi
   say "installing ${#missing[@]} packages: ${missing[*]}"
+  packages_are_new=1
   apt-get update -qq >&2 &&
     DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
 }
@@ -63,8 +67,9 @@ say_steps() {
 build_preset() {
   local preset=$1
   shift
-  # Again when the SPU compiler came later: SPU programs are then built twice.
-  if [ ! -f "build/$preset/build.ninja" ] || [ "$(spu_compiler)" -nt "build/$preset/build.ninja" ]; then
+  # Again when packages came later, or the SPU compiler: SPU programs are then built twice.
+  if [ ! -f "build/$preset/build.ninja" ] || [ "$(spu_compiler)" -nt "build/$preset/build.ninja" ] ||
+    [ -n "${packages_are_new:-}" ]; then
     say "configuring build/$preset"
     cmake --preset "$preset" >&2 || return 1
   fi
