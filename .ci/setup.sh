@@ -12,6 +12,7 @@ packages_for_style=(clang-format clang-tidy)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev libnanoflann-dev)
 packages_for_cgal=(libcgal-dev libtbb-dev)
 packages_for_blade=(g++-powerpc64-linux-gnu qemu-user googletest)
+packages_for_debian=("${packages_for_python[@]}" help2man dpkg-dev file lintian debootstrap)
 packages_for_avx512=(bochs bochs-term bochsbios vgabios isolinux syslinux-common genisoimage busybox-static)
 
 say() { printf '%s\n' "$*" >&2; }

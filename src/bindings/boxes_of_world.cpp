@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "base/float_environment.h"
-#include "one_shot/box_set.h"
 
 namespace cellsweep::bindings {
 namespace {
@@ -69,20 +68,19 @@ bool is_array_of_boxes(const BoxView& view) {
 
 }  // namespace
 
-Result<std::span<const Aabb>> boxes_of_world(const BoxView& view, Array<Aabb>& own) {
-  if (view.size() == 0) return std::span<const Aabb>();
-  if (Status status = one_shot::check_sets({&view, 1}); !status.ok()) return status;
+std::span<const Aabb> boxes_of_world(const BoxView& view, std::vector<Aabb>& own) {
+  if (view.size() == 0) return {};
   if (is_array_of_boxes(view)) {
-    return std::span(reinterpret_cast<const Aabb*>(view.face(0).first), view.size());
+    return {reinterpret_cast<const Aabb*>(view.face(0).first), view.size()};
   }
   const DefaultFloats floats;
-  own.renew(view.size());
+  own.resize(view.size());
   if (view.is_double()) {
-    gather<double>(view, own.view());
+    gather<double>(view, own);
   } else {
-    gather<float>(view, own.view());
+    gather<float>(view, own);
   }
-  return std::span<const Aabb>(own.view());
+  return own;
 }
 
 }  // namespace cellsweep::bindings

@@ -15,7 +15,7 @@ function(cellsweep_install_library component target requires libs)
     EXPORT cellsweep-${component}-targets
     COMPONENT ${component}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT ${component})
   install(
     EXPORT cellsweep-${component}-targets
     NAMESPACE cellsweep::

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -70,9 +71,13 @@ typedef struct cellsweep_filters {
 static inline cellsweep_boxes cellsweep_boxes_apart(uint32_t number, uint32_t axes, const void* min,
                                                     const void* max, ptrdiff_t stride, size_t count) {
   const size_t bytes = number == CELLSWEEP_DOUBLE ? sizeof(double) : sizeof(float);
-  cellsweep_boxes boxes = {
-      count, axes, number, {{NULL, 0}, {NULL, 0}, {NULL, 0}}, {{NULL, 0}, {NULL, 0}, {NULL, 0}}};
-  for (uint32_t axis = 0; axis < axes && axis < 3 && min != NULL && max != NULL; ++axis) {
+  cellsweep_boxes boxes;
+  memset(&boxes, 0, sizeof boxes);
+  boxes.count = count;
+  boxes.axes = axes;
+  boxes.number = number;
+  if (!min || !max) return boxes;
+  for (uint32_t axis = 0; axis < axes && axis < 3; ++axis) {
     boxes.min[axis].first = (const char*)min + axis * bytes;
     boxes.min[axis].stride = stride;
     boxes.max[axis].first = (const char*)max + axis * bytes;
@@ -83,9 +88,9 @@ static inline cellsweep_boxes cellsweep_boxes_apart(uint32_t number, uint32_t ax
 
 /// An array of boxes.
 static inline cellsweep_boxes cellsweep_boxes_of(const cellsweep_aabb* boxes, size_t count) {
-  const void* min = boxes != NULL ? (const void*)boxes->min : NULL;
-  const void* max = boxes != NULL ? (const void*)boxes->max : NULL;
-  return cellsweep_boxes_apart(CELLSWEEP_FLOAT, 3, min, max, (ptrdiff_t)sizeof *boxes, count);
+  // A box begins with its minimum.
+  const void* max = boxes ? (const void*)boxes->max : (const void*)boxes;
+  return cellsweep_boxes_apart(CELLSWEEP_FLOAT, 3, boxes, max, (ptrdiff_t)sizeof *boxes, count);
 }
 
 /// An array of ids.
@@ -102,7 +107,8 @@ static inline cellsweep_filters cellsweep_filters_of(const cellsweep_filter* fil
 
 /// No filters: the default for all.
 static inline cellsweep_filters cellsweep_no_filters(void) {
-  const cellsweep_filters view = {NULL, 0, 0};
+  cellsweep_filters view;
+  memset(&view, 0, sizeof view);
   return view;
 }
 

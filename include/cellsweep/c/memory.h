@@ -21,9 +21,9 @@ typedef struct cellsweep_allocator {
 } cellsweep_allocator;
 
 /// Takes memory from the caller, for the whole process and in C++, too: what grows with bodies, boxes and
-/// pairs. Objects of a few hundred bytes and lists of answers come from C++'s operator new, which a program
-/// can replace. To be called before anything else of the library, and while no other thread calls it. Errors:
-/// BAD_INPUT once the library has taken any memory from elsewhere.
+/// pairs. Objects of a few hundred bytes, copies of a call's boxes and lists of answers come from C++'s
+/// operator new, which a program can replace. To be called before anything else of the library, and while no
+/// other thread calls it. Errors: BAD_INPUT once the library has taken any memory from elsewhere.
 CELLSWEEP_API cellsweep_status cellsweep_set_allocator(const cellsweep_allocator* allocator,
                                                        cellsweep_failure* failure);
 

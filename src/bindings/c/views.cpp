@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "base/text.h"
+#include "one_shot/box_set.h"
 
 namespace cellsweep::c {
 namespace {
@@ -50,9 +51,8 @@ Status Bodies::read(const cellsweep_filters& from) {
 Status Bodies::read(const cellsweep_boxes& from) {
   const Result<BoxView> view = view_of(from);
   if (!view) return view.status();
-  const auto read = bindings::boxes_of_world(*view, own_boxes);
-  if (!read) return read.status();
-  boxes = *read;
+  if (Status status = one_shot::check_sets({&*view, 1}); !status.ok()) return status;
+  boxes = bindings::boxes_of_world(*view, own_boxes);
   return {};
 }
 

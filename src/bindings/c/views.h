@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "base/memory/array.h"
 #include "bindings/boxes_of_world.h"
@@ -23,7 +25,8 @@ namespace cellsweep::c {
 /// told that it does not know where the address comes from, as it does not in a call from another library.
 template <class To, class From>
 To* seen_as(From* array) {
-  static_assert(sizeof(To) == sizeof(From) && alignof(To) == alignof(From));
+  static_assert(sizeof(To) == sizeof(From));    // NOLINT(misc-redundant-expression): not for all types
+  static_assert(alignof(To) == alignof(From));  // NOLINT(misc-redundant-expression)
   void* address = const_cast<void*>(static_cast<const void*>(array));
   asm volatile("" : "+r"(address) : : "memory");
   return static_cast<To*>(address);
@@ -76,7 +79,7 @@ Result<BoxView> view_of(const cellsweep_boxes& boxes);
 struct Bodies {
   Strided<BodyId> ids;
   Strided<BodyFilter> filters;
-  Array<Aabb> own_boxes;
+  std::vector<Aabb> own_boxes;
   std::span<const Aabb> boxes;
 
   Status read(const cellsweep_ids& from);

@@ -5,8 +5,6 @@
 #include <string>
 
 #include "base/text.h"
-#include "bindings/boxes_of_world.h"
-#include "bindings/python/errors.h"
 
 namespace cellsweep::python {
 namespace {
@@ -170,12 +168,6 @@ Boxes read_boxes(const py::object& from) {
   }
   boxes.view = is_of_floats(boxes.min) ? view_of<float>(layout) : view_of<double>(layout);
   return boxes;
-}
-
-std::span<const Aabb> boxes_for_world(const Boxes& boxes, Array<Aabb>& own) {
-  const auto read = bindings::boxes_of_world(boxes.view, own);
-  if (!read) raise(read.status());
-  return *read;
 }
 
 Ids::Ids(const py::object& from) {

@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "base/memory/array.h"
 #include "cellsweep/aabb.h"
 #include "cellsweep/box_view.h"
 #include "cellsweep/filter.h"
@@ -30,9 +29,6 @@ struct Boxes {
 /// box or point may come without its n. Floats and doubles stay where they are, others become doubles. Throws
 /// ValueError for other shapes.
 Boxes read_boxes(const py::object& from);
-
-/// The same as floats in three dimensions; in `own` where they are not so already.
-std::span<const Aabb> boxes_for_world(const Boxes& boxes, Array<Aabb>& own);
 
 /// Ids from an array of whole numbers, or one. Throws TypeError for others, OverflowError with the row for
 /// numbers that are not 0 to 2^32 - 1.

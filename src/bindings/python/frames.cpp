@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/boxes_of_world.h"
 #include "bindings/python/arrays.h"
 #include "bindings/python/errors.h"
 #include "bindings/python/parts.h"

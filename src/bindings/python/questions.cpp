@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "bindings/boxes_of_world.h"
 #include "bindings/python/arrays.h"
 #include "bindings/python/errors.h"
 #include "bindings/python/parts.h"
@@ -42,9 +43,10 @@ std::vector<double> read_numbers(const py::object& from, std::size_t count, cons
 
 /// Questions' boxes as floats in three dimensions.
 struct AskedBoxes {
-  explicit AskedBoxes(const py::object& from) : read(read_boxes(from)), boxes(boxes_for_world(read, own)) {}
+  explicit AskedBoxes(const py::object& from)
+      : read(read_boxes(from)), boxes(bindings::boxes_of_world(read.view, own)) {}
 
-  Array<Aabb> own;
+  std::vector<Aabb> own;
   Boxes read;
   std::span<const Aabb> boxes;
 };
@@ -90,7 +92,7 @@ py::array_t<std::int64_t> hand_over_first(const std::vector<std::size_t>& first)
                                       : std::vector<std::int64_t>(first.begin(), first.end()));
 }
 
-py::object make_answers(py::object first, py::object bodies, py::object values) {
+py::object make_answers(const py::object& first, const py::object& bodies, const py::object& values) {
   return py::module_::import("cellsweep").attr("Answers")(first, bodies, values);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "bindings/boxes_of_world.h"
 #include "bindings/python/arrays.h"
 #include "bindings/python/errors.h"
 #include "bindings/python/parts.h"
@@ -34,9 +35,9 @@ std::unique_ptr<LockedWorld> make_world(const std::string& engine, const py::kwa
 void insert(LockedWorld& world, const py::object& ids, const py::object& boxes, const py::object& category,
             const py::object& mask, const py::object& is_static) {
   const Ids read_ids(ids);
-  Array<Aabb> own;
+  std::vector<Aabb> own;
   const Boxes read = read_boxes(boxes);
-  const std::span<const Aabb> of_world = boxes_for_world(read, own);
+  const std::span<const Aabb> of_world = bindings::boxes_of_world(read.view, own);
   const auto filters = read_filters(category, mask, is_static, read_ids.view().size());
   const Status status = world.change([&](Broadphase& broadphase) {
     return filters && !filters->empty() ? broadphase.insert(read_ids.view(), of_world, *filters)
@@ -47,9 +48,9 @@ void insert(LockedWorld& world, const py::object& ids, const py::object& boxes, 
 
 py::array_t<BodyId> add(LockedWorld& world, const py::object& boxes, const py::object& category,
                         const py::object& mask, const py::object& is_static) {
-  Array<Aabb> own;
+  std::vector<Aabb> own;
   const Boxes read = read_boxes(boxes);
-  const std::span<const Aabb> of_world = boxes_for_world(read, own);
+  const std::span<const Aabb> of_world = bindings::boxes_of_world(read.view, own);
   const auto filters = read_filters(category, mask, is_static, of_world.size());
   std::vector<BodyId> ids(of_world.size());
   raise_unless_ok(world.change([&](Broadphase& broadphase) {
@@ -67,9 +68,9 @@ py::array_t<BodyId> add(LockedWorld& world, const py::object& boxes, const py::o
 
 void move(LockedWorld& world, const py::object& ids, const py::object& boxes) {
   const Ids read_ids(ids);
-  Array<Aabb> own;
+  std::vector<Aabb> own;
   const Boxes read = read_boxes(boxes);
-  const std::span<const Aabb> of_world = boxes_for_world(read, own);
+  const std::span<const Aabb> of_world = bindings::boxes_of_world(read.view, own);
   const Status status =
       world.change([&](Broadphase& broadphase) { return broadphase.move(read_ids.view(), of_world); });
   raise_unless_ok(status, read_ids.view());
