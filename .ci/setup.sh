@@ -6,7 +6,7 @@ packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev n
 packages_to_draw=(gnuplot-nox)
 packages_for_python=(pybind11-dev python3-dev python3-numpy python3-scipy python3-rtree)
 packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy abigail-tools
-  "${packages_for_python[@]}" python3-pytest python3-matplotlib mypy python3-pip python3-setuptools python3-wheel)
+  "${packages_for_python[@]}" python3-pytest python3-matplotlib mypy doxygen python3-pip python3-setuptools python3-wheel)
 packages_for_clang=(clang libclang-rt-14-dev)
 packages_for_style=(clang-format clang-tidy)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev libnanoflann-dev)
@@ -24,7 +24,8 @@ explain_other_systems() {
   say "Google Benchmark 1.7; for pictures Embree 3 and libpng, for traces libzip, for the window GLFW 3.3, libepoxy and Dear ImGui,"
   say "for figures gnuplot, for the window's tests Xvfb, for those of job systems oneTBB, for the example in Bullet Bullet,"
   say "for Python's side of traces NumPy, to compare the face for C with its description abigail-tools,"
-  say "for the module for Python pybind11, Python's headers, pytest, matplotlib, mypy, pip, SciPy and rtree."
+  say "for the module for Python pybind11, Python's headers, pytest, matplotlib, mypy, pip, SciPy and rtree,"
+  say "for the reference Doxygen."
   say "Then run again with CELLSWEEP_SKIP_PACKAGES=1 in the environment."
 }
 
