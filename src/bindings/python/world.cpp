@@ -12,6 +12,7 @@
 #include "bindings/python/errors.h"
 #include "bindings/python/parts.h"
 #include "cellsweep/engines.h"
+#include "cellsweep/stream_view.h"
 
 namespace cellsweep::python {
 namespace {
@@ -169,6 +170,13 @@ py::dict statistics(const LockedWorld& world) {
                   "counters"_a = counters);
 }
 
+/// (fat boxes, cells), or None.
+py::object view_of_stream(const LockedWorld& world) {
+  auto view = world.look([](const Broadphase& broadphase) { return stream_view(broadphase); });
+  if (!view) return py::none();
+  return py::make_tuple(hand_over_boxes(std::move(view->fat_boxes)), hand_over_boxes(std::move(view->cells)));
+}
+
 std::string describe(const LockedWorld& world) {
   return world.look([](const Broadphase& broadphase) {
     return text("<cellsweep.World: ", broadphase.size(), " bodies, engine '", broadphase.name(), "'>");
@@ -240,6 +248,11 @@ Raises UnknownBodyError for ids that it did not see.)");
       "capacity",
       [](const LockedWorld& of) { return of.look([](const Broadphase& b) { return b.capacity().bodies; }); },
       R"(The number of bodies that there may be.)");
+  world.def(
+      "stream_view", view_of_stream,
+      R"(What engine `stream` has made of the bodies, to draw: (fat_boxes, cells), arrays (n, 2, 3) in any order;
+None for other engines. Fat boxes are those that bodies may move in before their pairs are
+searched anew, cells those that bodies are in, within each other where one was crowded.)");
   world.def_property_readonly(
       "statistics", statistics,
       R"(A dict of what was measured and counted; milliseconds are of the last update().)");

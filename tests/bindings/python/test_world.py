@@ -247,6 +247,21 @@ def test_other_threads_run_during_a_search(rng):
     assert during > 0
 
 
+def test_a_view_of_stream_encloses_its_bodies(rng):
+    boxes = brute_force.random_boxes(rng, 5000, edge=0.02)
+    world = cellsweep.World()
+    ids = world.add(boxes)
+    world.update()
+    boxes += np.float32(0.001)
+    world.move(ids, boxes)
+    world.update()
+    fat, cells = world.stream_view()
+    assert fat.shape == (5000, 2, 3) and len(cells) > 8
+    assert (fat[:, 0].min(axis=0) <= boxes[:, 0].min(axis=0)).all()
+    assert (fat[:, 1].max(axis=0) >= boxes[:, 1].max(axis=0)).all()
+    assert cellsweep.World("oracle").stream_view() is None
+
+
 def test_statistics_and_words():
     world = cellsweep.World(threads=2)
     world.add(np.zeros((3, 2, 3)))
