@@ -1,5 +1,6 @@
 """Builds the extension of the Python package with CMake; all else stands in pyproject.toml."""
 
+import os
 import pathlib
 import re
 import subprocess
@@ -23,7 +24,9 @@ class CMakeBuild(build_ext):
             + [f"-DCELLSWEEP_BUILD_{part}=OFF" for part in parts]
             + ["-DCELLSWEEP_CELL_ENGINES=OFF", "-DCELLSWEEP_WITH_EMBREE=OFF", "-DCELLSWEEP_REQUIRE_PYTHON=ON"]
         )
-        subprocess.check_call(["cmake", "--build", build, "--target", "cellsweep_python", "--parallel"])
+        subprocess.check_call(
+            ["cmake", "--build", build, "--target", "cellsweep_python", "--parallel", str(os.cpu_count() or 1)]
+        )
         target = pathlib.Path(self.get_ext_fullpath(extension.name)).resolve()
         target.parent.mkdir(parents=True, exist_ok=True)
         made = build / "src/bindings/python/cellsweep" / target.name

@@ -20,8 +20,8 @@ typedef struct cellsweep_executor {
   /// Returns false, before the first task has begun, where there is no memory to run them.
   bool (*run)(void* context, unsigned count, cellsweep_task task, void* task_context);
   void* context;
-  /// Called when the library has no more use for the executor, once for each call that it was handed to; NULL
-  /// for nothing.
+  /// Called when a world that was made with the executor is destroyed; NULL for nothing. Calls that fail, and
+  /// one-shot searches, do not call it.
   void (*release)(void* context);
 } cellsweep_executor;
 

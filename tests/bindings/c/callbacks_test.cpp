@@ -32,6 +32,14 @@ cellsweep_executor executor_of(Jobs& jobs) {
   return {4, run_in_turn, &jobs, release};
 }
 
+cellsweep_stream_options options_with(const cellsweep_executor& executor) {
+  cellsweep_stream_options options = {};
+  options.size = sizeof options;
+  options.threads = 4;
+  options.executor = &executor;
+  return options;
+}
+
 /// Enough of them for every task.
 std::vector<cellsweep_aabb> cubes_in_a_row() {
   std::vector<cellsweep_aabb> cubes(3000, kCube);
@@ -45,10 +53,7 @@ std::vector<cellsweep_aabb> cubes_in_a_row() {
 TEST(CExecutor, RunsUpdatesAndIsReleasedWithItsWorld) {
   Jobs jobs;
   const cellsweep_executor executor = executor_of(jobs);
-  cellsweep_stream_options options = {};
-  options.size = sizeof options;
-  options.threads = 4;
-  options.executor = &executor;
+  const cellsweep_stream_options options = options_with(executor);
   World world = make_world(&options);
   const auto cubes = cubes_in_a_row();
   std::vector<uint32_t> ids(cubes.size());
@@ -65,10 +70,7 @@ TEST(CExecutor, RunsUpdatesAndIsReleasedWithItsWorld) {
 TEST(CExecutor, WithoutMemoryLeavesTheWorldAndIsAskedAgain) {
   Jobs jobs;
   const cellsweep_executor executor = executor_of(jobs);
-  cellsweep_stream_options options = {};
-  options.size = sizeof options;
-  options.threads = 4;
-  options.executor = &executor;
+  const cellsweep_stream_options options = options_with(executor);
   const World world = make_world(&options);
   const auto cubes = cubes_in_a_row();
   std::vector<uint32_t> ids(cubes.size());
@@ -86,9 +88,7 @@ TEST(CExecutor, WithoutMemoryLeavesTheWorldAndIsAskedAgain) {
 TEST(CExecutor, IsNotReleasedByACallThatFailsOrDoesNotKeepIt) {
   Jobs jobs;
   const cellsweep_executor executor = executor_of(jobs);
-  cellsweep_stream_options options = {};
-  options.size = sizeof options;
-  options.executor = &executor;
+  cellsweep_stream_options options = options_with(executor);
   options.margin = -1;
   cellsweep_broadphase* made = nullptr;
   EXPECT_EQ(cellsweep_create(&options, &made, nullptr), CELLSWEEP_BAD_OPTION);
