@@ -91,10 +91,10 @@ double square_distance(const Vector& p, const Vector& a, const Vector& b, const 
 
 /// Whether they are that near when the step begins or ends; a triangle's own vertices are not meant.
 bool is_near(const Mesh& mesh, unsigned vertex, unsigned triangle, double distance) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  if (vertex == a || vertex == b || vertex == c) return false;
+  const std::array<unsigned, 3>& corners = mesh.triangles[triangle];
+  if (std::find(corners.begin(), corners.end(), vertex) != corners.end()) return false;
   const auto square = [&](const std::vector<Vector>& at) {
-    return square_distance(at[vertex], at[a], at[b], at[c]);
+    return square_distance(at[vertex], at[corners[0]], at[corners[1]], at[corners[2]]);
   };
   return std::min(square(mesh.start), square(mesh.end)) < distance * distance;
 }
