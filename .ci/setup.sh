@@ -5,8 +5,9 @@ packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev n
   libgmock-dev libbenchmark-dev libembree-dev libpng-dev libzip-dev libglfw3-dev libepoxy-dev libimgui-dev)
 packages_to_draw=(gnuplot-nox)
 packages_for_python=(pybind11-dev python3-dev python3-numpy python3-scipy python3-rtree)
+packages_for_ranks=(libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev libhdf5-openmpi-dev)
 packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy abigail-tools
-  "${packages_for_python[@]}" python3-pytest python3-matplotlib mypy doxygen python3-pip python3-setuptools python3-wheel)
+  "${packages_for_ranks[@]}" "${packages_for_python[@]}" python3-pytest python3-matplotlib mypy doxygen python3-venv python3-setuptools python3-wheel)
 packages_for_clang=(clang libclang-rt-14-dev)
 packages_for_style=(clang-format clang-tidy)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev libnanoflann-dev)
@@ -25,7 +26,7 @@ explain_other_systems() {
   say "for figures gnuplot, for the window's tests Xvfb, for those of job systems oneTBB, for the example in Bullet Bullet,"
   say "for Python's side of traces NumPy, to compare the face for C with its description abigail-tools,"
   say "for the module for Python pybind11, Python's headers, pytest, matplotlib, mypy, pip, SciPy and rtree,"
-  say "for the reference Doxygen."
+  say "for worlds over several machines MPI, Zoltan and HDF5 for it, for the reference Doxygen."
   say "Then run again with CELLSWEEP_SKIP_PACKAGES=1 in the environment."
 }
 

@@ -73,7 +73,21 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
     return traced("remove", [&] { return bodies_.remove(ids); });
   }
   Result<PairChanges> update() {
-    return traced("update", [&] { return update_now(); });
+    return traced("update", [&]() -> Result<PairChanges> {
+      auto changes = prepare();
+      if (changes) commit();
+      return changes;
+    });
+  }
+  Result<PairChanges> prepare_update() {
+    return traced("update", [&] { return prepare(); });
+  }
+  void commit_update() {
+    traced("commit", [&] { commit(); });
+  }
+  void abandon_update() {
+    bodies_.undo();
+    engine_is_lost_ = true;
   }
 
   std::string_view name() const {
@@ -101,16 +115,14 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   }
 
  private:
-  /// Takes the changes out of the boxes again, unless the update has come to its end.
+  /// Takes the changes out of the boxes again, unless they are to stay.
   class Attempt {
    public:
     explicit Attempt(Impl& impl) : impl_(impl), changes_(impl.bodies_.begin_update()) {}
     Attempt(const Attempt&) = delete;
     Attempt& operator=(const Attempt&) = delete;
     ~Attempt() {
-      if (succeeded_) return;
-      impl_.bodies_.undo();
-      impl_.engine_is_lost_ = true;
+      if (!succeeded_) impl_.abandon_update();
     }
     const BodyChanges& changes() const { return changes_; }
     void succeed() { succeeded_ = true; }
@@ -121,7 +133,9 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
     bool succeeded_ = false;
   };
 
-  Result<PairChanges> update_now();
+  /// What an update does until anything shows; then either commit() or abandon_update(), which cannot fail.
+  Result<PairChanges> prepare();
+  void commit();
   [[gnu::cold]] Status renew_engine();
   void name_changes(const FoundPairs& unfiltered);
   void tidy();
@@ -130,8 +144,9 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   std::shared_ptr<Timeline> timeline_;  // goes after the engine, whose SPEs end before it is written
   TimelineRow row_;
   std::unique_ptr<Engine> engine_;
-  bool engine_is_lost_ = false;  // after a failure; the next update makes a new one
-  ProcessMark process_;          // the engine's, whose threads may not be in another one
+  bool engine_is_lost_ = false;   // after a failure; the next update makes a new one
+  bool nothing_changed_ = false;  // as prepare() found
+  ProcessMark process_;           // the engine's, whose threads may not be in another one
   Capacity capacity_;
   Crew& crew_ = *parts_.crew;
   mutable std::atomic_flag crew_is_taken_;  // by a batch of queries
@@ -147,7 +162,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
 
 Broadphase::Impl::~Impl() = default;
 
-Result<PairChanges> Broadphase::Impl::update_now() {
+Result<PairChanges> Broadphase::Impl::prepare() {
   pairs_.remember_changes();
   const bool anew = engine_is_lost_ || !process_.is_this_process();
   if (anew) {
@@ -157,25 +172,30 @@ Result<PairChanges> Broadphase::Impl::update_now() {
   statistics_.bytes = 0;
   const auto found = engine_->update(anew ? bodies_.all_as_new() : attempt.changes(), statistics_);
   if (!found) return found.status();
-  if (!anew && attempt.changes().none() && found->none()) {
+  nothing_changed_ = !anew && attempt.changes().none() && found->none();
+  if (nothing_changed_) {
     attempt.succeed();
-    bodies_.commit();
-    ++statistics_.updates;
-    statistics_.bytes += bytes_;
-    return pairs_.commit_nothing();
+    return PairChanges();
   }
   name_changes(*found);
   if (anew || found->is_whole_set) pairs_.compare_with_whole_set(bodies_.removed_ids());
   attempt.succeed();
-  kept_tree_.drop();
-  engine_is_lost_ = false;
+  return pairs_.next_changes();
+}
+
+void Broadphase::Impl::commit() {
   bodies_.commit();
   ++statistics_.updates;
-  const PairChanges changes = pairs_.commit();
+  if (nothing_changed_) {
+    statistics_.bytes += bytes_;
+    return pairs_.commit_nothing();
+  }
+  kept_tree_.drop();
+  engine_is_lost_ = false;
+  pairs_.commit();
   bytes_ = bodies_.bytes() + filter_.bytes() + order_.bytes() + pairs_.bytes();
   statistics_.bytes += bytes_;
   tidy();
-  return changes;
 }
 
 Status Broadphase::Impl::renew_engine() {
@@ -309,6 +329,23 @@ bool Broadphase::contains(BodyId id) const {
 
 const Statistics& Broadphase::statistics() const {
   return impl_->statistics();
+}
+
+Result<PairChanges> EngineAccess::prepare_update(Broadphase& broadphase) {
+  return broadphase.impl_->prepare_update();
+}
+
+void EngineAccess::commit_update(Broadphase& broadphase) {
+  broadphase.impl_->commit_update();
+}
+
+void EngineAccess::abandon_update(Broadphase& broadphase) {
+  broadphase.impl_->abandon_update();
+}
+
+Status EngineAccess::next_boxes(const Broadphase& broadphase, std::span<const BodyId> ids,
+                                std::span<Aabb> boxes) {
+  return broadphase.impl_->bodies().next_boxes(ids, boxes);
 }
 
 Engine& EngineAccess::engine_of(Broadphase& broadphase) {

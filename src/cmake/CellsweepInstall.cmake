@@ -53,6 +53,9 @@ endif()
 if(TARGET cellsweep_embree)
   cellsweep_install_library(embree cellsweep_embree "cellsweep" " -lembree3" embree.h)
 endif()
+if(TARGET cellsweep_ranks)
+  cellsweep_install_library(ranks cellsweep_ranks "cellsweep mpi-cxx" " -ltrilinos_zoltan${CELLSWEEP_LIBHDF5}" checkpoint.h ranks.h)
+endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/cellsweep-config.cmake.in cellsweep-config.cmake
                               INSTALL_DESTINATION ${cellsweep_package_dir})

@@ -143,7 +143,9 @@ class Rooms {
       hand_over_changes(way == Way::changes_in_parts);
     }
     bodies_.commit();
-    expect_changes(set_.commit());
+    const PairChanges said = set_.next_changes();
+    set_.commit();
+    expect_changes(said);
     is_lost_ = bodies_.tidy();
     tidied_ += is_lost_ ? 1 : 0;
     if (is_lost_) engine_.forget();

@@ -100,6 +100,18 @@ struct CELLSWEEP_API EngineAccess {
   /// The same for engines of this library, which share threads with their Broadphase.
   static Result<Broadphase> make(HandleParts parts);
 
+  /// Broadphase::update() in two steps, for those who must agree with others before it counts: what would be
+  /// returned and when it cannot be. After a success comes one of the other two and nothing before it;
+  /// neither can fail. An update that was abandoned is one that failed. Both lists stay where they are in
+  /// commit_update().
+  static Result<PairChanges> prepare_update(Broadphase& broadphase);
+  static void commit_update(Broadphase& broadphase);
+  static void abandon_update(Broadphase& broadphase);
+
+  /// The boxes that bodies which are held now will have after the next update. Errors: as
+  /// Broadphase::boxes().
+  static Status next_boxes(const Broadphase& broadphase, std::span<const BodyId> ids, std::span<Aabb> boxes);
+
   static Engine& engine_of(Broadphase& broadphase);
   static const Engine& engine_of(const Broadphase& broadphase);
 

@@ -151,6 +151,13 @@ Status Bodies::boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const {
   return {};
 }
 
+Status Bodies::next_boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const {
+  if (ids.size() != boxes.size()) return length_status(ids.size(), boxes.size());
+  if (Status status = find_unknown(table_, ids); !status.ok()) return status;
+  for (std::size_t i = 0; i < ids.size(); ++i) boxes[i] = boxes_.next_box(table_.find(ids[i]));
+  return {};
+}
+
 std::vector<BodyId> Bodies::removed_ids() const {
   std::vector<BodyId> ids;
   ids.reserve(boxes_.removed().size());

@@ -36,6 +36,9 @@ class Bodies {
   /// Boxes as of the last update.
   Status boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const;
 
+  /// Boxes of bodies that are held, as the next update will have them.
+  Status next_boxes(std::span<const BodyId> ids, std::span<Aabb> boxes) const;
+
   /// Of a body that is held: what counts from the next update on.
   BodyFilter filter(Slot slot) const { return filters_.of(slot); }
   const SlotFilters& filters() const { return filters_; }

@@ -1,38 +1,16 @@
 #include "broadphase/bodies/refusals.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
+#include "base/body_names.h"
 #include "base/text.h"
+#include "geometry/box_fault.h"
 #include "geometry/canonical.h"
 
 namespace cellsweep {
 namespace {
-
-std::string describe_fault(const Aabb& box) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float low = box.min[axis];
-    const float high = box.max[axis];
-    const char name = "xyz"[axis];
-    if (!std::isfinite(low) || !std::isfinite(high)) {
-      return text("its ", name, " interval [", low, ", ", high, "] is not finite");
-    }
-    if (low > high) return text("its minimum on ", name, ", ", low, ", is above its maximum, ", high);
-  }
-  return {};
-}
-
-/// "Body 3 is" or "Bodies 3, 4 and 5 are", and no more than a status names.
-std::string subject(std::span<const BodyId> bodies) {
-  if (bodies.size() == 1) return text("Body ", bodies[0], " is");
-  std::string names = text("Bodies ", bodies[0]);
-  const std::size_t named = std::min(bodies.size(), Status::kMostBodies);
-  for (std::size_t i = 1; i < named; ++i) names += text(i + 1 == bodies.size() ? " and " : ", ", bodies[i]);
-  if (named < bodies.size()) names += text(" and ", bodies.size() - named, " more");
-  return names + " are";
-}
 
 template <class IsAtFault>
 std::vector<BodyId> all_where(std::span<const BodyId> ids, IsAtFault&& is_at_fault) {
@@ -43,7 +21,7 @@ std::vector<BodyId> all_where(std::span<const BodyId> ids, IsAtFault&& is_at_fau
 
 Status refuse(StatusCode code, const std::vector<BodyId>& bad, const char* why) {
   if (bad.empty()) return {};
-  return Status::bad_bodies(code, text(subject(bad), " ", why, "."), bad);
+  return Status::bad_bodies(code, text(subject(std::span(bad)), " ", why, "."), bad);
 }
 
 }  // namespace

@@ -51,18 +51,16 @@ void PairSet::compare_with_whole_set(std::span<const BodyId> gone) {
   find_changes<Pair>(pairs(), whole_.view(), gone, next_began_, next_ended_);
 }
 
-PairChanges PairSet::commit() {
+void PairSet::commit() {
   std::swap(began_, next_began_);
   std::swap(ended_, next_ended_);
   only_began_ = pairs_.size() == 0 && notes_.empty() && ended_.size() == 0;
   if (began_.size() + ended_.size() > 0) listing_.put_off();
-  return {std::as_const(began_).view(), std::as_const(ended_).view()};
 }
 
-PairChanges PairSet::commit_nothing() {
+void PairSet::commit_nothing() {
   began_.shrink(0);
   ended_.shrink(0);
-  return {};
 }
 
 std::span<const Pair> PairSet::pairs() const {

@@ -30,11 +30,14 @@ class PairSet {
   /// that are gone, ascending, end though others of their ids are in the set.
   void compare_with_whole_set(std::span<const BodyId> gone);
 
+  /// What was written; the memory stays where it is in commit().
+  PairChanges next_changes() const { return {next_began_.view(), next_ended_.view()}; }
+
   /// What was written is what changed last. Cannot fail.
-  PairChanges commit();
+  void commit();
 
   /// Nothing changed. Cannot fail.
-  PairChanges commit_nothing();
+  void commit_nothing();
 
   /// All pairs, ascending. From any number of threads, while nothing else is called.
   std::span<const Pair> pairs() const;

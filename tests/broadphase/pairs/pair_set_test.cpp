@@ -32,7 +32,9 @@ PairChanges update(PairSet& set, const Pairs& began, const Pairs& ended) {
   set.remember_changes();
   write(began, set.next_began());
   write(ended, set.next_ended());
-  return set.commit();
+  const PairChanges changes = set.next_changes();
+  set.commit();
+  return changes;
 }
 
 /// One update, of which all pairs are known.
@@ -41,7 +43,9 @@ PairChanges update_to(PairSet& set, const Pairs& all) {
   write(all, set.next_began());
   write({}, set.next_ended());
   set.compare_with_whole_set({});
-  return set.commit();
+  const PairChanges changes = set.next_changes();
+  set.commit();
+  return changes;
 }
 
 Pairs difference(const std::set<Pair>& one, const std::set<Pair>& other) {
