@@ -1,5 +1,8 @@
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/checks.h"
 #include "app/commands.h"
@@ -10,8 +13,10 @@
 #include "cellsweep/world/frame_file.h"
 #include "report/folder_lock.h"
 #include "report/interrupt.h"
+#include "report/picture/cuts.h"
 #include "report/picture/picture.h"
 #include "report/progress.h"
+#include "report/text_file.h"
 
 namespace cellsweep::app {
 namespace {
@@ -21,6 +26,7 @@ struct Render {
   SceneFlags scene;
   std::size_t frame = 0;
   FrameRange range;
+  std::string cuts;
   std::filesystem::path out;
   report::PictureSettings picture;
 
@@ -29,6 +35,7 @@ struct Render {
       if (const Status status = check_ending(out, {".png"}); !status.ok()) return complain(status);
     }
     Aabb world;
+    if (const Status status = read_regions(); !status.ok()) return complain(status);
     auto source = make_source(world);
     if (!source) return complain(source.status());
     if (range.given()) return draw_sequence(**source, world);
@@ -50,8 +57,24 @@ struct Render {
     return recording->make_source();
   }
 
+  Status read_regions() {
+    if (cuts.empty()) return {};
+    const auto words = report::read_text_file(cuts);
+    if (!words) return words.status();
+    auto read = report::read_cuts(*words);
+    if (!read) return Status::bad_input(text("--cuts ", cuts, ": ", read.status().message));
+    regions = std::move(*read);
+    return {};
+  }
+
   Status draw(const FrameSource& source, const Aabb& world, const std::filesystem::path& path) const {
-    const auto image = report::trace_picture(report::tableau_of(source, world), picture);
+    report::Tableau tableau = report::tableau_of(source, world);
+    if (!regions.empty()) {
+      std::vector<Aabb> boxes;
+      for (const BodyId body : report::shown_bodies(source, world)) boxes.push_back(source.boxes()[body]);
+      report::show_cuts(regions, boxes, tableau);
+    }
+    const auto image = report::trace_picture(tableau, picture);
     if (!image) return image.status();
     return report::write_png(*image, path);
   }
@@ -70,6 +93,8 @@ struct Render {
     if (const Status status = draw_all(source, world, drawn); !status.ok()) return complain(status);
     return end_with(kGood, text(drawn, " of ", range.count(), " pictures were drawn."));
   }
+
+  std::vector<Aabb> regions;
 
   // OUT/00012.png and so on, as tools that make films of pictures want them.
   Status draw_all(FrameSource& source, const Aabb& world, std::size_t& drawn) const {
@@ -123,6 +148,10 @@ void add_render(CLI::App& program, ExitCode& exit_code) {
       ->add_option("--frames", render->range, "Frames A to B, each a picture of its own in the folder --out")
       ->type_name("A:B")
       ->excludes(frame);
+  command
+      ->add_option("--cuts", render->cuts,
+                   "What cellsweep-ranks --json printed: bodies in the colours of its ranks' regions")
+      ->type_name("FILE");
   command->add_option("--out", render->out, "PNG file; with --frames, a folder")
       ->type_name("FILE")
       ->required();
@@ -131,6 +160,7 @@ void add_render(CLI::App& program, ExitCode& exit_code) {
       "Examples:\n"
       "  cellsweep render --scene paper --bodies 1024 --frame 100 --out scene.png\n"
       "  cellsweep render bench/scenes/bullet-pile-1024.aabbs --frames 0:30 --out pile\n"
+      "  cellsweep render --bodies 1000 --cuts ranks.json --out cuts.png\n"
       "Ctrl-C ends a sequence after the picture that is being drawn.");
   command->callback([render, &exit_code] { exit_code = render->run(); });
 }

@@ -185,6 +185,17 @@ TEST_F(RenderCommand, RefusesWhatItCannotDraw) {
   EXPECT_EQ(run_command("render --frames 5:4" + out).exit_code, 2);
   EXPECT_EQ(run_command("render --frames five" + out).exit_code, 2);
   EXPECT_EQ(run_command("render --frame 1 --frames 1:2" + out).exit_code, 2);
+  const std::string cuts = scratch_.path("cuts.json");
+  for (const std::string words :
+       {"", "{}", R"({"ranks": []})", R"({"ranks": [{"region": [[0, 1], [2, 3]]}]})",
+        R"({"ranks": [{"region": [["a", 0, 0], [1, 1, 1]]}]})"}) {
+    std::ofstream(cuts) << words;
+    const CommandResult result = run_command("render --cuts " + cuts + out);
+    EXPECT_EQ(result.exit_code, 2) << words;
+    EXPECT_THAT(result.errors,
+                HasSubstr("--cuts " + cuts + ": It is not what cellsweep-ranks --json prints"));
+  }
+  EXPECT_EQ(run_command("render --cuts /no/such/file" + out).exit_code, 2);
   EXPECT_EQ(run_command("render --bodies 3 --out /no/such/folder/a.png --width 8 --height 8").exit_code, 2);
 }
 

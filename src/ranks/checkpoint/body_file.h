@@ -36,9 +36,9 @@ struct WorldRow {
   std::string note{};
 };
 
-/// Collective: fills the file, which is there and empty. Its bodies are those of all ranks, in the order of ranks;
-/// the first `first_bytes` of it, a power of two from 512 on, are left alone. Errors, the same on all ranks:
-/// write_failed, capacity.
+/// Collective: fills the file, which is there and empty. Its bodies are those of all ranks, in the order of
+/// ranks; the first `first_bytes` of it, a power of two from 512 on, are left alone. Errors, the same on all
+/// ranks: write_failed, capacity.
 Status write_bodies(const Job& job, const std::string& path, std::size_t first_bytes, const WorldRow& world,
                     BodyRows& mine);
 

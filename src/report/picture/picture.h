@@ -2,6 +2,7 @@
 /// A ray-traced picture of a world of boxes: daylight, shadows, colliding bodies green (W5, Figure 5.1).
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -20,6 +21,9 @@ struct Tableau {
   Aabb world;
   std::vector<BodyPose> bodies;
   std::vector<bool> colliding;  ///< one a body
+  std::vector<std::uint32_t>
+      groups{};                ///< one a body, each drawn in a colour of its own; none: by collisions
+  std::vector<Aabb> frames{};  ///< drawn beside the world's
 };
 
 struct PictureSettings {

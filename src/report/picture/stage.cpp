@@ -31,7 +31,18 @@ Light linear(const Color& color) {
   return {color[0] * color[0], color[1] * color[1], color[2] * color[2]};
 }
 
-// The twelve edges of the world, as thin bars.
+// Eight that a person tells apart, also one who sees no red or green; then the same again, darker.
+Color color_of_group(std::uint32_t group) {
+  constexpr Color kColors[] = {{0.90F, 0.62F, 0.00F}, {0.34F, 0.71F, 0.91F}, {0.00F, 0.62F, 0.45F},
+                               {0.94F, 0.89F, 0.26F}, {0.00F, 0.45F, 0.70F}, {0.84F, 0.37F, 0.00F},
+                               {0.80F, 0.47F, 0.65F}, {0.70F, 0.70F, 0.75F}};
+  constexpr float kDarker[] = {1.0F, 0.72F, 0.5F};
+  Color color = kColors[group % std::size(kColors)];
+  for (float& part : color) part *= kDarker[group / std::size(kColors) % std::size(kDarker)];
+  return color;
+}
+
+// The twelve edges of a box, as thin bars.
 void add_frame(const Aabb& world, float thickness, std::vector<Solid>& solids) {
   const Eigen::AlignedBox3f bounds = to_eigen(world);
   for (int axis = 0; axis < 3; ++axis) {
@@ -50,9 +61,10 @@ void add_frame(const Aabb& world, float thickness, std::vector<Solid>& solids) {
 
 std::vector<Solid> solids_of(const Tableau& tableau, float thickness) {
   std::vector<Solid> solids;
-  solids.reserve(tableau.bodies.size() + 12);
+  solids.reserve(tableau.bodies.size() + 12 * (1 + tableau.frames.size()));
   for (const BodyPose& pose : tableau.bodies) solids.push_back(solid_of(pose));
   add_frame(tableau.world, thickness, solids);
+  for (const Aabb& frame : tableau.frames) add_frame(frame, 2 * thickness, solids);
   return solids;
 }
 
@@ -72,12 +84,15 @@ Stage::Stage(const Tableau& tableau)
       centre_(to_eigen(tableau.world).center()),
       size_(longest_edge(tableau.world)),
       colliding_(tableau.colliding),
+      groups_(tableau.groups),
       solids_(solids_of(tableau, kFrameThickness * longest_edge(tableau.world))) {}
 
 Light Stage::albedo_of(const Hit& hit) const {
   if (hit.solid >= colliding_.size()) return kFrame;
   static const WorldColors colors;
-  const Light albedo = linear(colliding_[hit.solid] ? colors.colliding : colors.plain);
+  const Light albedo = linear(!groups_.empty()        ? color_of_group(groups_[hit.solid])
+                              : colliding_[hit.solid] ? colors.colliding
+                                                      : colors.plain);
   // A fine dark line along its edges tells a box from the one behind.
   return hit.edge_distance < 0.0012F * size_ ? Light(0.45F * albedo) : albedo;
 }

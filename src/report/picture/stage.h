@@ -37,6 +37,7 @@ class Stage {
   Eigen::Vector3f centre_;
   float size_;  // longest edge of the world
   std::vector<bool> colliding_;
+  std::vector<std::uint32_t> groups_;
   Solids solids_;
 };
 

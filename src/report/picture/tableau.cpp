@@ -45,7 +45,7 @@ Tableau tableau_of(const FrameSource& source, const Aabb& world) {
     is_colliding[pair.a] = true;
     is_colliding[pair.b] = true;
   }
-  Tableau tableau{world, {}, {}};
+  Tableau tableau{.world = world, .bodies = {}, .colliding = {}};
   for (const BodyId body : shown_bodies(source, world)) {
     tableau.bodies.push_back(shown_pose(source, body));
     tableau.colliding.push_back(is_colliding[body]);
