@@ -62,8 +62,7 @@ std::string command_line(const DebuggerCommand& command) {
 
 std::string all_commands() {
   constexpr const char* kTitles[] = {"Run:", "Stop:", "Look:", "Learn:"};
-  std::string text =
-      "The SPU stands still while you type. What others do goes on: the host program and other SPEs.\n";
+  std::string text = "The SPU stands still while you type; the host program and other SPEs go on.\n";
   std::size_t group_number = 0;
   for (const auto group : groups()) {
     text += std::string(kTitles[group_number++]) + "\n";

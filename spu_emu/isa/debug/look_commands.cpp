@@ -177,7 +177,7 @@ std::string show(Session& session, const Words& words) {
 constexpr DebuggerCommand kLookCommands[] = {
     {"where", "", "[ADDRESS]", "Where the program stands, or what an address belongs to",
      "Example:\n  where 0x1a4\n", where},
-    {"backtrace", "bt", "", "The functions that have called each other, the innermost first",
+    {"backtrace", "bt", "", "The calls in progress, the innermost function first",
      "Follows the back chain of the SPU's ABI from r1; the innermost function's\n"
      "prologue is read to know how far it is.\n",
      backtrace},
@@ -206,7 +206,7 @@ constexpr DebuggerCommand kLookCommands[] = {
     {"mailboxes", "", "", "What is in the mailboxes, unread", "", show<mailboxes_text>},
     {"signals", "", "", "The two signal registers, unread", "", show<signals_text>},
     {"events", "", "", "Events that are pending, and those the program asked for", "", show<events_text>},
-    {"spes", "", "", "All SPEs of the process: which runs, and which waits for what", "", show<spes_text>},
+    {"spes", "", "", "All SPEs of the process: which runs, which waits for what", "", show<spes_text>},
 };
 
 }  // namespace

@@ -91,8 +91,8 @@ constexpr DebuggerCommand kRunCommands[] = {
      "  continue           to the next breakpoint, a broken rule or the end\n"
      "  continue for 2.5   and then stop, also in the middle of a wait\n",
      go_on},
-    {"step", "s", "[N]", "Run to another source line, also in functions that are called",
-     "Functions without lines (the C library's) are run through. Without source lines it is stepi.\n"
+    {"step", "s", "[N]", "Run to another source line, into calls too",
+     "Functions without lines (the C library's) are run through; where no line is\nknown, step is stepi.\n"
      "Examples:\n"
      "  step      one line\n"
      "  step 5    five lines\n",

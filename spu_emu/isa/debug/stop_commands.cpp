@@ -155,7 +155,7 @@ constexpr DebuggerCommand kStopCommands[] = {
      "  watch MFC_Cmd\n"
      "  watch channel 29 read\n",
      watch},
-    {"breakpoints", "", "", "List what was set by break and watch, and how often it was met", "",
+    {"breakpoints", "", "", "List what break and watch have set, and how often it was met", "",
      list_breakpoints},
     {"delete", "d", "[NUMBER]", "Remove one of them, or all", "Example:\n  delete 2\n", remove_breakpoints},
 };
