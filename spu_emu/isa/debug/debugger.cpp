@@ -77,7 +77,7 @@ bool Debugger::come(std::uint32_t pc) {
   const bool was_out = session_.plan.goes_out();
   bool stops =
       session_.plan.arrive(pc, session_.machine.word(1, 0), session_.map.lines()) || !reasons.empty();
-  if (stops && was_out && reasons.empty()) reasons.push_back("the function has returned:");
+  if (stops && was_out && reasons.empty()) reasons.push_back(returned_text());
   if (std::exchange(starts_, false)) {
     reasons.insert(reasons.begin(), format("SPE %u's program begins", session_.spe.number()));
     stops = true;
@@ -87,6 +87,13 @@ bool Debugger::come(std::uint32_t pc) {
   // Nobody has looked at what this store does to bytes that are watched.
   if (stands || stops) session_.breakpoints.expect(pc, session_.word(pc), session_.machine);
   return leave(pc);
+}
+
+/// r3 has what a function returns.
+std::string Debugger::returned_text() const {
+  std::string text = "the function has returned, r3";
+  for (unsigned slot = 0; slot < 4; ++slot) text += format(" %08x", session_.machine.word(3, slot));
+  return text;
 }
 
 /// Also notes what the instruction at `pc`, which is next, means for the plan.

@@ -44,6 +44,7 @@ class Debugger final : private InstructionTraps, private WaitListener {
   void attend() override;
   void still_waiting(const char* what) override;
 
+  std::string returned_text() const;
   std::vector<std::string> reasons_from_outside();
   void stop(const std::vector<std::string>& reasons);
   void ask();

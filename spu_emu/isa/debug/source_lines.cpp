@@ -27,9 +27,14 @@ std::optional<LineRow> SourceLines::at(std::uint32_t address) const {
       std::upper_bound(rows_.begin(), rows_.end(), address,
                        [](std::uint32_t wanted, const LineRow& row) { return wanted < row.address; });
   if (behind == rows_.begin()) return std::nullopt;
-  const LineRow& row = *(behind - 1);
-  if (row.end || row.line == 0) return std::nullopt;
-  return row;
+  // Of several rows for one instruction the last that begins a statement, if there is one, says most.
+  auto row = behind - 1;
+  for (auto at = row; at->address == row->address && !row->statement; --at) {
+    if (at->statement && !at->end) row = at;
+    if (at == rows_.begin()) break;
+  }
+  if (row->end || row->line == 0) return std::nullopt;
+  return *row;
 }
 
 bool SourceLines::begins_statement(std::uint32_t address) const {

@@ -74,7 +74,7 @@ TEST(Debugger, steps_by_instructions_into_calls_and_over_them) {
   const std::string text = output_of(calls(), "stepi 5\nstepi\nwhere\nfinish\nregisters int4 3\nnexti 2\n");
   expect_in(text, "(spu N) stepi 5\n  at pc 0x00094");
   expect_in(text, "(spu N) stepi\n  at pc 0x00200 in work");
-  expect_in(text, "the function has returned:\n  at pc 0x00098 in begin+0x18: stqa");
+  expect_in(text, "the function has returned, r3 00000010 00000010 00000010 00000010\n  at pc 0x00098 in begin+0x18: stqa");
   expect_in(text, "r3            16          16          16          16\n");
   expect_in(text, "(spu N) nexti 2\n  at pc 0x000a0");
   expect_in(output_of(calls(), "stepi 5\nnexti\n"), "(spu N) nexti\n  at pc 0x00098 in begin+0x18");

@@ -44,6 +44,19 @@ TEST(SourceLines, know_where_statements_begin) {
   EXPECT_FALSE(lines.begins_statement(0x30));
 }
 
+TEST(SourceLines, prefer_of_several_rows_of_an_instruction_the_last_that_begins_a_statement) {
+  const SourceLines lines({"a.c"}, {{0x10, 0, 1, true, false},
+                                    {0x10, 0, 2, true, false},
+                                    {0x10, 0, 3, false, false},
+                                    {0x14, 0, 4, false, false},
+                                    {0x14, 0, 5, false, false},
+                                    {0x18, 0, 5, true, true}});
+  EXPECT_EQ(lines.at(0x10)->line, 2U);
+  EXPECT_TRUE(lines.begins_statement(0x10));
+  EXPECT_EQ(lines.at(0x14)->line, 5U);
+  EXPECT_FALSE(lines.at(0x18));
+}
+
 TEST(SourceLines, find_files_by_the_end_of_their_path) {
   const SourceLines lines = table();
   EXPECT_EQ(lines.files_named("b.c"), Addresses{0});
