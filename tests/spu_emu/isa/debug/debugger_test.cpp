@@ -74,7 +74,9 @@ TEST(Debugger, steps_by_instructions_into_calls_and_over_them) {
   const std::string text = output_of(calls(), "stepi 5\nstepi\nwhere\nfinish\nregisters int4 3\nnexti 2\n");
   expect_in(text, "(spu N) stepi 5\n  at pc 0x00094");
   expect_in(text, "(spu N) stepi\n  at pc 0x00200 in work");
-  expect_in(text, "the function has returned, r3 00000010 00000010 00000010 00000010\n  at pc 0x00098 in begin+0x18: stqa");
+  expect_in(text,
+            "the function has returned, r3 00000010 00000010 00000010 00000010\n  at pc 0x00098 in "
+            "begin+0x18: stqa");
   expect_in(text, "r3            16          16          16          16\n");
   expect_in(text, "(spu N) nexti 2\n  at pc 0x000a0");
   expect_in(output_of(calls(), "stepi 5\nnexti\n"), "(spu N) nexti\n  at pc 0x00098 in begin+0x18");
@@ -83,6 +85,58 @@ TEST(Debugger, steps_by_instructions_into_calls_and_over_them) {
 TEST(Debugger, says_why_a_step_by_lines_is_one_by_instructions) {
   expect_in(output_of(calls(), "step\n"), "Source lines are not known");
   expect_in(output_of(calls(), "step\n"), "One step is one instruction here.\n  at pc 0x00084");
+}
+
+/// The table of lines of calls(), of which leaf has none, by a command in the place of `spu-run
+/// --list-lines`.
+class ListedLines {
+ public:
+  ListedLines()
+      : table_(
+            "file /no/such/folder/calls.s\n"
+            "0x80 10 statement\n0x94 11 statement\n0x98 12 statement\n0xa4 12 end\n"
+            "0x200 20 statement\n0x20c 21 statement\n0x214 22 statement\n0x220 22 end\n") {
+    setenv("SPU_EMU_LINE_READER", ("cat " + table_.name + " #").c_str(), 1);
+  }
+  ~ListedLines() { unsetenv("SPU_EMU_LINE_READER"); }
+
+ private:
+  CommandFile table_;
+};
+
+TEST(Debugger, steps_by_lines_into_calls_that_have_some_and_through_others) {
+  const ListedLines lines;
+  const std::string text =
+      output_of(calls(), "break calls.s:11\ncontinue\nstep\nstep\nstep\nbacktrace\nstep\nstep\n");
+  expect_in(text, "breakpoint 1 at 0x00094 in begin+0x14 (calls.s:11)\n");
+  expect_in(text,
+            "11     (its file is not there to be read)\n(spu N) step\n  at pc 0x00200 in work (calls.s:20)");
+  expect_in(text, "(spu N) step\n  at pc 0x0020c in work+0xc (calls.s:21)");
+  expect_in(text, "(spu N) step\n  at pc 0x00214 in work+0x14 (calls.s:22)");
+  expect_in(text, "#1   0x00094 in begin+0x14 (calls.s:11)\n");
+  expect_in(text, "(spu N) step\n  at pc 0x00098 in begin+0x18 (calls.s:12)");
+}
+
+TEST(Debugger, steps_over_calls_and_several_lines_at_once) {
+  const ListedLines lines;
+  const std::string text = output_of(calls(), "next\nnext\nwhere 0x204\n");
+  expect_in(text, "(spu N) next\n  at pc 0x00094 in begin+0x14 (calls.s:11)");
+  expect_in(text, "(spu N) next\n  at pc 0x00098 in begin+0x18 (calls.s:12)");
+  expect_in(text, "(spu N) where 0x204\n0x00204 in work+0x4 (calls.s:20)\n");
+  expect_in(output_of(calls(), "step 4\n"), "(spu N) step 4\n  at pc 0x00214 in work+0x14 (calls.s:22)");
+  expect_in(output_of(calls(), "next\nbreak work\nnext\n"), "breakpoint 1\n  at pc 0x00200 in work");
+}
+
+TEST(Debugger, breaks_at_lines_and_says_which_have_no_code) {
+  const ListedLines lines;
+  const std::string text =
+      output_of(calls(), "break 12\nbreak 13\nbreak calls.s:23\nbreak other.s:1\nbreak s:12\nlist\n");
+  expect_in(text, "breakpoint 1 at 0x00098 in begin+0x18 (calls.s:12)\n");
+  expect_in(text, "breakpoint 2 at 0x00200 in work (calls.s:20)\n");
+  expect_in(text, "calls.s has no code at line 23 or behind it: its last line with code is 22.\n");
+  expect_in(text, "No code of the program comes from a file \"other.s\".\n");
+  expect_in(text, "No code of the program comes from a file \"s\".\n");
+  expect_in(text, "/no/such/folder/calls.s cannot be read here.\n");
 }
 
 TEST(Debugger, follows_the_chain_of_calls_wherever_the_innermost_function_stands) {
