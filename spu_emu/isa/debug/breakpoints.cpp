@@ -4,6 +4,7 @@
 #include <span>
 
 #include "isa/debug/channel_names.h"
+#include "isa/debug/store_reader.h"
 #include "mfc/format.h"
 
 namespace spu_emu::isa {
@@ -61,7 +62,7 @@ std::string meeting(const Breakpoint& breakpoint, const std::string& what) {
 
 const Breakpoint& Breakpoints::add(Breakpoint breakpoint) {
   breakpoint.number = next_number_++;
-  breakpoint.known.assign(store_ + breakpoint.first, store_ + breakpoint.first + breakpoint.size);
+  breakpoint.known = read_store(store_, breakpoint.first, breakpoint.size);
   all_.push_back(std::move(breakpoint));
   return all_.back();
 }
@@ -87,7 +88,7 @@ bool Breakpoints::meets_store(Breakpoint& breakpoint, const StoreEffect& store, 
   const std::uint32_t first = std::max(breakpoint.first, store.address);
   const std::uint32_t end = std::min(breakpoint.first + breakpoint.size, store.address + 16);
   if (first >= end) return false;
-  const std::span<const std::byte> old(store_ + first, end - first);
+  const std::vector<std::byte> old = read_store(store_, first, end - first);
   const auto now = std::span(store.bytes).subspan(first - store.address, end - first);
   const bool changes = !std::equal(old.begin(), old.end(), now.begin());
   std::copy(now.begin(), now.end(), breakpoint.known.begin() + (first - breakpoint.first));
@@ -127,11 +128,11 @@ void Breakpoints::expect(std::uint32_t pc, std::uint32_t word, const Machine& ma
 std::vector<std::string> Breakpoints::changed_by(const char* who) {
   std::vector<std::string> met;
   for (Breakpoint& each : all_) {
-    const std::span<const std::byte> now(store_ + each.first, each.size);
+    const std::vector<std::byte> now = read_store(store_, each.first, each.size);
     if (std::equal(now.begin(), now.end(), each.known.begin())) continue;
     ++each.hits;
     met.push_back(meeting(each, who + (" changed " + change_text(each.first, each.known, now))));
-    each.known.assign(now.begin(), now.end());
+    each.known = now;
   }
   return met;
 }

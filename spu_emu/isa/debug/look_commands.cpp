@@ -4,6 +4,7 @@
 
 #include "isa/debug/commands.h"
 #include "isa/debug/mfc_view.h"
+#include "isa/debug/store_reader.h"
 #include "isa/debug/value_format.h"
 #include "isa/encoding/big_endian.h"
 #include "isa/encoding/disassembler.h"
@@ -70,7 +71,7 @@ std::string registers(Session& session, const Words& words) {
 
 std::string memory_row(const Session& session, const ValueFormat& value_format, std::uint32_t address,
                        std::uint32_t size) {
-  const std::span<const std::byte> bytes(session.store + address, size);
+  const std::vector<std::byte> bytes = read_store(session.store, address, size);
   std::string elements = format_elements(value_format, bytes);
   if (value_format.kind == ValueFormat::Kind::hexadecimal) {
     const std::size_t whole = 2 * kRow + kRow / value_format.element - 1;

@@ -194,11 +194,11 @@ TEST(Debugger, tells_of_watched_bytes_that_the_host_changes) {
                            "watch 0x1000 16\ncontinue\nregisters 3\n");
   MainWords memory;
   std::thread host([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
     spe_mfcio_get(debugged.context.spe, 0x1000, &memory, 16, 0, 0, 0);
     unsigned int status = 0;
     spe_mfcio_tag_status_read(debugged.context.spe, 1, SPE_TAG_ALL, &status);
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
     unsigned int message = 3;
     spe_in_mbox_write(debugged.context.spe, &message, 1, SPE_MBOX_ALL_BLOCKING);
   });
@@ -349,7 +349,7 @@ TEST(Debugger, says_which_spe_waits_for_what) {
   DebuggedProgram debugged(program({encode("rdch", {3, SPU_RdInMbox}), kEnd}),
                            "continue for 0.2\nspes\ncontinue for 0.1\n");
   std::thread host([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
     unsigned int message = 1;
     spe_in_mbox_write(debugged.context.spe, &message, 1, SPE_MBOX_ALL_BLOCKING);
     spe_signal_write(other.spe, SPE_SIG_NOTIFY_REG_1, 1);
@@ -363,22 +363,19 @@ TEST(Debugger, says_which_spe_waits_for_what) {
 }
 
 TEST(Debugger, stops_at_ctrl_c_in_a_loop_and_in_a_wait) {
-  const File loop =
-      program({encode("rdch", {3, SPU_RdInMbox}), encode("lqa", {4, 0x1000}), encode("brz", {4, -4}), kEnd});
+  const File loop = program(
+      {encode("rdch", {3, SPU_RdInMbox}), encode("rchcnt", {4, SPU_RdInMbox}), encode("brz", {4, -4}), kEnd});
   DebuggedProgram debugged(loop, "continue\ncontinue\nregisters 3\n");
   std::thread host([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
     std::raise(SIGINT);
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
     unsigned int message = 8;
     spe_in_mbox_write(debugged.context.spe, &message, 1, SPE_MBOX_ALL_BLOCKING);
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
     std::raise(SIGINT);
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    alignas(128) static const std::array<unsigned int, 32> one{1};
-    spe_mfcio_get(debugged.context.spe, 0x1000, const_cast<unsigned int*>(one.data()), 16, 0, 0, 0);
-    unsigned int status = 0;
-    spe_mfcio_tag_status_read(debugged.context.spe, 1, SPE_TAG_ALL, &status);
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    spe_in_mbox_write(debugged.context.spe, &message, 1, SPE_MBOX_ALL_BLOCKING);
   });
   const std::string text = debugged.run();
   host.join();
@@ -398,7 +395,7 @@ TEST(Debugger, goes_along_through_stops_for_the_host) {
 
 TEST(Debugger, does_not_count_its_own_time_as_the_programs) {
   EmulationSettings settings;
-  settings.time_limit = std::chrono::milliseconds(300);
+  settings.time_limit = std::chrono::milliseconds(1000);
   DebuggedProgram debugged(program({encode("rdch", {3, SPU_RdInMbox}), kEnd}),
                            "continue for 0.1\ncontinue\nspes\n", settings);
   const std::string text = debugged.run();
