@@ -152,7 +152,7 @@ std::string events_text(Spe& spe) {
 std::string spes_text(Spe& here) {
   std::string text;
   SpeList::instance().for_each([&](Spe& spe) {
-    text += format("SPE %-3u %s\n        %s\n", spe.number(), state_text(spe, here).c_str(),
+    text += format("SPE %u  %s\n       %s\n", spe.number(), state_text(spe, here).c_str(),
                    pending_text(spe.channels()).c_str());
   });
   return text;

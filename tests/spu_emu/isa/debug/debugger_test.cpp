@@ -340,7 +340,7 @@ TEST(Debugger, shows_mailboxes_signals_and_events_without_reading_them) {
             "signal 1  0x00000000  nothing to read  (later ones overwrite)\nsignal 2  0x00000077  waits to "
             "be read");
   expect_in(text, "pending  signal 2, in mailbox available\nmask     none\n");
-  expect_in(text, "SPE N  stands here, in the debugger\n        in mailbox 2 of 4, out mailbox 1 of 1");
+  expect_in(text, "SPE N  stands here, in the debugger\n       in mailbox 2 of 4, out mailbox 1 of 1");
 }
 
 TEST(Debugger, says_which_spe_waits_for_what) {
@@ -358,7 +358,7 @@ TEST(Debugger, says_which_spe_waits_for_what) {
   host.join();
   other_runs.join();
   expect_in(text, "the time is up\nSPE N waits: read in mailbox\n  at pc 0x00080 in begin: rdch $3,$ch29\n");
-  expect_in(text, " s: read signal 1\n        in mailbox 0 of 4");
+  expect_in(text, " s: read signal 1\n       in mailbox 0 of 4");
   expect_in(text, " s: read in mailbox\n");
 }
 
