@@ -2,7 +2,7 @@
 # project's folder. Everything here speaks on standard error, so that standard output stays the program's.
 
 packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev nlohmann-json3-dev libgtest-dev
-  libgmock-dev libbenchmark-dev libembree-dev libpng-dev libzip-dev libglfw3-dev libepoxy-dev libimgui-dev)
+  libgmock-dev libbenchmark-dev libembree-dev libpng-dev libzip-dev libdw-dev libglfw3-dev libepoxy-dev libimgui-dev)
 packages_to_draw=(gnuplot-nox)
 packages_for_python=(pybind11-dev python3-dev python3-numpy python3-scipy python3-rtree)
 packages_for_ranks=(libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev libhdf5-openmpi-dev)
@@ -26,7 +26,8 @@ explain_other_systems() {
   say "for figures gnuplot, for the window's tests Xvfb, for those of job systems oneTBB, for the example in Bullet Bullet,"
   say "for Python's side of traces NumPy, to compare the face for C with its description abigail-tools,"
   say "for the module for Python pybind11, Python's headers, pytest, matplotlib, mypy, pip, SciPy and rtree,"
-  say "for worlds over several machines MPI, Zoltan and HDF5 for it, for the reference Doxygen."
+  say "for worlds over several machines MPI, Zoltan and HDF5 for it, for the reference Doxygen,"
+  say "for source lines in the debugger of SPU programs libdw."
   say "Then run again with CELLSWEEP_SKIP_PACKAGES=1 in the environment."
 }
 

@@ -100,6 +100,7 @@ set(this_version "libcellsweep1 (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_LIBCELLSWEEP-DEV_PACKAGE_DEPENDS "${this_version}")
 set(CPACK_DEBIAN_CELLSWEEP_PACKAGE_DEPENDS "${this_version}")
 set(CPACK_DEBIAN_LIBCELLSWEEP-DEV_PACKAGE_SUGGESTS "libeigen3-dev, libzip-dev, libembree-dev, spu-emu-dev")
+set(CPACK_DEBIAN_SPU-EMU-DEV_PACKAGE_SUGGESTS "libdw1")
 set(CPACK_DEBIAN_PYTHON3-CELLSWEEP_PACKAGE_DEPENDS "${this_version}, python3 (>= ${python_minor}), python3 (<< ${python_next}), python3-numpy")
 
 # What else links the library, and a word to the loader that it is there.

@@ -182,7 +182,7 @@ macro(cellsweep_find_packages)
   cellsweep_find_ranks()
   if(CELLSWEEP_CELL_ENGINES)
     spu_emu_describe_toolchain(row)
-    list(APPEND CELLSWEEP_PACKAGE_TABLE "${row}")
+    list(APPEND CELLSWEEP_PACKAGE_TABLE "${row}" "${SPU_EMU_LIBDW_ROW}")
   endif()
 endmacro()
 

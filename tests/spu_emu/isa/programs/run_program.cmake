@@ -1,5 +1,13 @@
 # Runs a program and compares exit code and output:
-#   cmake -DCOMMAND=<list> -DCODE=<exit code> [-DOUTPUT=<file>] [-DERRORS=<regular expression>] -P run_program.cmake
+#   cmake -DCOMMAND=<list> -DCODE=<exit code> [-DOUTPUT=<file>] [-DERRORS=<regular expression>] [-DSESSION=<file>]
+#     -P run_program.cmake
+# A session is what the debugger says, with the commands that it is given: those behind its prompts.
+if(SESSION)
+  file(STRINGS ${SESSION} commands REGEX "^\\(spu 0\\) ")
+  list(TRANSFORM commands REPLACE "^\\(spu 0\\) " "")
+  list(JOIN commands "\n" commands)
+  file(WRITE ${SESSION_COMMANDS} "${commands}\n")
+endif()
 execute_process(COMMAND ${COMMAND} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors TIMEOUT 60)
 if(NOT code STREQUAL CODE)
   message(FATAL_ERROR "exit code ${code}, expected ${CODE}\n${output}${errors}")
@@ -8,6 +16,12 @@ if(OUTPUT)
   file(READ ${OUTPUT} expected)
   if(NOT output STREQUAL expected)
     message(FATAL_ERROR "printed\n${output}\nexpected\n${expected}")
+  endif()
+endif()
+if(SESSION)
+  file(READ ${SESSION} expected)
+  if(NOT errors STREQUAL expected)
+    message(FATAL_ERROR "the debugger said\n${errors}\nexpected\n${expected}")
   endif()
 endif()
 if(ERRORS AND NOT errors MATCHES "${ERRORS}")

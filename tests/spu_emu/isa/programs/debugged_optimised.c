@@ -1,0 +1,2 @@
+// The same, optimised.
+#include "debugged.c"
