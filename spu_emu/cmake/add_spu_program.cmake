@@ -49,9 +49,14 @@ function(spu_emu_add_module name)
     COMMENT "" VERBATIM)
   set_property(SOURCE ${ARGN} APPEND PROPERTY OBJECT_DEPENDS ${translator})
   target_compile_definitions(${program} PRIVATE __SPU__=1)
+  target_include_directories(${program} SYSTEM BEFORE PRIVATE ${SPU_EMU_INCLUDE_DIR}/spu_emu/libc)
   target_link_libraries(${program} PRIVATE ${name}_spu_settings)
 
-  add_library(${module} MODULE ${SPU_EMU_RUNTIME_DIR}/module.cpp $<TARGET_OBJECTS:${program}>)
+  set(runtime ${SPU_EMU_RUNTIME_DIR}/module.cpp)
+  if(c_sources)
+    list(APPEND runtime ${SPU_EMU_RUNTIME_DIR}/c_intrinsics.cpp ${SPU_EMU_RUNTIME_DIR}/c_services.cpp)
+  endif()
+  add_library(${module} MODULE ${runtime} $<TARGET_OBJECTS:${program}>)
   foreach(target IN ITEMS ${program} ${module})
     set_target_properties(${target} PROPERTIES
       CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS ON POSITION_INDEPENDENT_CODE ON
@@ -68,6 +73,11 @@ function(spu_emu_add_module name)
     -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
     -Wl,--wrap=memalign,--wrap=aligned_alloc,--wrap=posix_memalign
     -Wl,--wrap=exit,--wrap=_exit,--wrap=atexit,--wrap=__cxa_atexit)
+  if(c_sources)
+    # Of the intrinsics only those that the program calls.
+    target_compile_options(${module} PRIVATE -ffunction-sections -fdata-sections)
+    target_link_options(${module} PRIVATE -Wl,--gc-sections)
+  endif()
   spu_emu_add_image(${name} ${name} $<TARGET_FILE:${module}> ${module})
 endfunction()
 

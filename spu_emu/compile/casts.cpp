@@ -146,25 +146,12 @@ class Casts {
   /// Tokens first to last say the type; the operand lies between them and `end`.
   void replace(std::size_t first, std::size_t last, const std::string& type, std::size_t end) {
     const std::size_t behind = tokens_[end - 1].end();
-    if (language_ == Language::cpp) {
-      edits_.replace(tokens_[first].begin, tokens_[last].end(), "spu_emu::cast< " + type + ">(");
-      edits_.insert(behind, ")");
-      return;
-    }
-    edits_.replace(tokens_[first].begin, tokens_[last].end(),
-                   "spu_emu_" + type + "_of_qword(__extension__ ({ __auto_type spu_emu_operand = ");
-    edits_.insert(behind, "; " + std::string(kToQword) + "; }))");
+    // In C a macro, which is read when this is done.
+    const std::string call =
+        language_ == Language::cpp ? "spu_emu::cast< " + type + ">(" : "spu_emu_cast_" + type + "(";
+    edits_.replace(tokens_[first].begin, tokens_[last].end(), call);
+    edits_.insert(behind, ")");
   }
-
-  /// Of the variable spu_emu_operand; C chooses the function by its type.
-  static constexpr const char* kToQword =
-      "_Generic(spu_emu_operand, vec_uchar16: spu_emu_qword_of_vec_uchar16, vec_char16: "
-      "spu_emu_qword_of_vec_char16, "
-      "vec_ushort8: spu_emu_qword_of_vec_ushort8, vec_short8: spu_emu_qword_of_vec_short8, "
-      "vec_uint4: spu_emu_qword_of_vec_uint4, vec_int4: spu_emu_qword_of_vec_int4, "
-      "vec_ullong2: spu_emu_qword_of_vec_ullong2, vec_llong2: spu_emu_qword_of_vec_llong2, "
-      "vec_float4: spu_emu_qword_of_vec_float4, vec_double2: spu_emu_qword_of_vec_double2, "
-      "qword: spu_emu_qword_of_qword)(spu_emu_operand)";
 
   const std::vector<Token>& tokens_;
   const Nesting& nesting_;

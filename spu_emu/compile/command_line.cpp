@@ -12,11 +12,11 @@ bool is_one_of(std::string_view word, const auto& words) {
   return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
-/// Options of the preprocessor, with their value as the next word or in the same one.
-constexpr std::array<std::string_view, 12> kPreprocessorValues = {
-    "-D",  "-U",  "-I",  "-isystem", "-iquote",    "-include",
-    "-MF", "-MT", "-MQ", "-imacros", "-idirafter", "-iprefix"};
-constexpr std::array<std::string_view, 5> kPreprocessorFlags = {"-MD", "-MMD", "-MP", "-M", "-MG"};
+/// Options of the preprocessor, with their value as the next word or in the same one: where headers are, and
+/// what has been done when the text is translated.
+constexpr std::array<std::string_view, 4> kSearch = {"-I", "-isystem", "-iquote", "-idirafter"};
+constexpr std::array<std::string_view, 7> kDone = {"-D", "-U", "-include", "-imacros", "-MF", "-MT", "-MQ"};
+constexpr std::array<std::string_view, 5> kDoneFlags = {"-MD", "-MMD", "-MP", "-M", "-MG"};
 
 constexpr std::array<std::string_view, 13> kOnlyCpp = {"-fno-gnu-unique",
                                                        "-fvisibility-inlines-hidden",
@@ -40,19 +40,24 @@ bool is_c_standard(std::string_view option) {
   return option.starts_with("-std=") && !is_cpp_standard(option);
 }
 
-/// The options without those of the preprocessor.
-Words without_preprocessor(const Words& options) {
+bool begins_like(std::string_view option, const auto& names) {
+  return std::any_of(std::begin(names), std::end(names),
+                     [&](std::string_view name) { return option.starts_with(name); });
+}
+
+/// The options for translated text, with or without those that say where headers are.
+Words without_preprocessor(const Words& options, bool with_search) {
   Words kept;
   for (std::size_t i = 0; i < options.size(); ++i) {
-    const std::string& option = options[i];
-    if (is_one_of(option, kPreprocessorValues)) {
-      ++i;
-      continue;
+    const bool is_search = begins_like(options[i], kSearch);
+    const bool is_done = begins_like(options[i], kDone) || is_one_of(options[i], kDoneFlags);
+    const bool has_next = is_one_of(options[i], kSearch) || is_one_of(options[i], kDone);
+    const std::size_t last = has_next && i + 1 < options.size() ? i + 1 : i;
+    for (; !is_done && (with_search || !is_search); ++i) {
+      kept.push_back(options[i]);
+      if (i == last) break;
     }
-    const bool has_value = std::any_of(kPreprocessorValues.begin(), kPreprocessorValues.end(),
-                                       [&](std::string_view name) { return option.starts_with(name); });
-    if (has_value || is_one_of(option, kPreprocessorFlags)) continue;
-    kept.push_back(option);
+    i = last;
   }
   return kept;
 }
@@ -100,12 +105,17 @@ Words CommandLine::preprocess(const std::string& text) const {
   return words;
 }
 
-Words CommandLine::to_assembly(const std::string& text, const std::string& assembly) const {
-  const Words options = without_preprocessor(options_);
+Words CommandLine::to_assembly(const std::string& text, const std::string& assembly, bool has_macros) const {
+  const Words options = without_preprocessor(options_, has_macros);
   Words words{compiler_};
   words.insert(words.end(), options.begin(), options.end());
-  words.insert(words.end(), {"-x", language_ == Language::c ? "cpp-output" : "c++-cpp-output", "-S", "-o",
-                             assembly, text});
+  if (has_macros) {
+    words.insert(words.end(),
+                 {"-DSPU_EMU_TRANSLATED", "-imacros", "spu_emu/c/intrinsic_macros.h", "-x", "c"});
+  } else {
+    words.insert(words.end(), {"-x", language_ == Language::c ? "cpp-output" : "c++-cpp-output"});
+  }
+  words.insert(words.end(), {"-S", "-o", assembly, text});
   return words;
 }
 

@@ -26,7 +26,9 @@ class CommandLine {
 
   /// From the source to preprocessed text, with the list of what it depends on.
   Words preprocess(const std::string& text) const;
-  Words to_assembly(const std::string& text, const std::string& assembly) const;
+  /// From translated text. `has_macros` brings the intrinsics' macros for C in, in another round of the
+  /// preprocessor.
+  Words to_assembly(const std::string& text, const std::string& assembly, bool has_macros) const;
   Words assemble(const std::string& assembly) const;
 
  private:

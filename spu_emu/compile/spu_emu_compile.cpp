@@ -78,11 +78,14 @@ int compile(const CommandLine& line) {
   const Scratch text(line.object() + (is_c ? ".spu.i" : ".spu.ii"));
   const Scratch assembly(line.object() + ".spu.s");
   if (const int code = run(line.preprocess(text.path())); code != 0) return code;
+  bool has_macros = false;
   const auto translated = [&](const std::string& source) {
+    has_macros = is_c && source.find("spu_emu_c_intrinsics_are_declared") != std::string::npos;
     return spu_emu::compile::translate(source, line.language());
   };
   if (!rewrite(text.path(), translated)) return 1;
-  if (const int code = run(line.to_assembly(text.path(), assembly.path())); code != 0) return code;
+  if (const int code = run(line.to_assembly(text.path(), assembly.path(), has_macros)); code != 0)
+    return code;
   if (!rewrite(assembly.path(), spu_emu::compile::align_data)) return 1;
   return run(line.assemble(assembly.path()));
 }

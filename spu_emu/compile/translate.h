@@ -15,7 +15,8 @@ enum class Language { c, cpp };
 /// - a cast between vectors moves bytes as a cast on the SPU does, whatever the widths of their elements,
 /// - main has a name and a linkage by which the program's entry finds it, whatever its parameters, and
 /// returns
-///   0 where it returns nothing.
+///   0 where it returns nothing,
+/// - in C, an argument with braces stands in parentheses, so that a macro takes it for one.
 /// Lines stay where they are.
 std::string translate(std::string_view source, Language language);
 

@@ -84,6 +84,7 @@ std::optional<VectorKeyword> vector_keyword(const std::vector<Token>& tokens, st
   if (words.empty()) return std::nullopt;
   found.end = next;
   found.element = element_of(words);
+  found.name = name_of(found.element);
   return found;
 }
 
@@ -103,7 +104,7 @@ std::optional<VectorType> VectorTypes::at(std::size_t at) const {
   if (at >= tokens_.size() || tokens_[at].kind != Token::Kind::word) return std::nullopt;
   VectorType type;
   if (const auto keyword = vector_keyword(tokens_, at)) {
-    type = {name_of(keyword->element), keyword->end};
+    type = {keyword->name, keyword->end};
   } else if (const auto found = names_.find(tokens_[at].text); found != names_.end()) {
     type = {found->second, at + 1};
   } else {

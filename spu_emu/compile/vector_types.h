@@ -24,8 +24,9 @@ struct VectorType {
 struct VectorKeyword {
   std::size_t first = 0;
   std::size_t end = 0;
-  /// The scalar type that is meant, as C has it: of `bool int` it is unsigned int.
+  /// The scalar type that is meant, as C has it: of `bool int` it is unsigned int. And the vector's name.
   std::string element;
+  std::string name;
 };
 
 bool is_qualifier(std::string_view word);
