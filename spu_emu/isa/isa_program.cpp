@@ -72,12 +72,13 @@ void IsaProgram::set_registers(const Arguments& arguments) {
 Stop IsaProgram::start(const Arguments& arguments) {
   set_registers(arguments);
   machine_.set_pc(entry_);
+  is_over_ = false;
   store_known_ = true;
   return run();
 }
 
 bool IsaProgram::can_resume(unsigned int entry) const {
-  return suspended_ && entry % 4 == 0 && entry < kHardwareSize;
+  return !is_over_ && entry % 4 == 0 && entry < kHardwareSize;
 }
 
 Stop IsaProgram::resume(unsigned int entry) {
@@ -141,7 +142,6 @@ Stop IsaProgram::translate(const MachineStop& stop) {
 
 /// A library call has its argument word behind the stop.
 Stop IsaProgram::at_stop_instruction(const MachineStop& stop) {
-  suspended_ = !is_exit(stop.code);
   stopped_at_ = (stop.pc - 4) % kHardwareSize;
   if (is_exit(stop.code)) return {Stop::Kind::exit, stop.code, 0, {}};
   if (is_library_call(stop.code)) return {Stop::Kind::library_call, stop.code, stop.pc, {}};
@@ -156,7 +156,7 @@ int IsaProgram::serve_library_call(const Stop& call) {
 /// The program is over: what is in flight never lands.
 Stop IsaProgram::end_by(const Fault& fault) {
   spe_.channels().abandon();
-  suspended_ = false;
+  is_over_ = true;
   stopped_at_ = machine_.pc();
   note_progress();
   spe_.set_last_fault(fault.text() + "\n" + where());

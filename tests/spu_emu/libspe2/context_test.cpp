@@ -2,6 +2,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <vector>
+
 #include "../host/test_context.h"
 
 namespace spu_emu {
@@ -51,6 +53,43 @@ TEST(Context, a_gang_lives_as_long_as_its_contexts) {
   EXPECT_EQ(spe_context_destroy(one), 0);
   EXPECT_EQ(spe_context_destroy(two), 0);
   EXPECT_EQ(spe_gang_context_destroy(gang), 0);
+}
+
+TEST(Context, affinity_that_a_cell_refuses_is_refused) {
+  const auto refused = [](spe_context_ptr_t context, int error) {
+    return context == nullptr && std::exchange(errno, 0) == error;
+  };
+  spe_gang_context_ptr_t gang = spe_gang_context_create(0);
+  spe_gang_context_ptr_t other = spe_gang_context_create(0);
+  std::vector<spe_context_ptr_t> made{spe_context_create(SPE_AFFINITY_MEMORY, gang)};
+  ASSERT_NE(made[0], nullptr);
+  EXPECT_TRUE(refused(spe_context_create(SPE_AFFINITY_MEMORY, gang), EEXIST));
+  EXPECT_TRUE(refused(spe_context_create(SPE_AFFINITY_MEMORY, nullptr), EINVAL));
+  EXPECT_TRUE(refused(spe_context_create_affinity(0, made[0], other), EINVAL));
+  for (int i = 0; i < 2; ++i) made.push_back(spe_context_create_affinity(0, made[0], gang));
+  EXPECT_TRUE(refused(spe_context_create_affinity(0, made[0], gang), EEXIST));
+  while (made.size() < 8) made.push_back(spe_context_create_affinity(0, made.back(), gang));
+  EXPECT_TRUE(refused(spe_context_create_affinity(0, made.back(), gang), EEXIST));
+  EXPECT_EQ(spe_context_destroy(made.back()), 0);
+  made.back() = spe_context_create_affinity(0, made[6], gang);
+  ASSERT_NE(made.back(), nullptr);
+  EXPECT_EQ(spe_program_load(made[7], &spu_emu_probe), 0);
+  unsigned int entry = SPE_DEFAULT_ENTRY;
+  EXPECT_EQ(spe_context_run(made[7], &entry, 0, nullptr, nullptr, nullptr), 0);
+  EXPECT_EQ(spe_context_destroy(made[7]), 0);
+  EXPECT_TRUE(refused(spe_context_create_affinity(0, made[6], gang), EBUSY));
+  made[7] = spe_context_create(0, gang);
+  ASSERT_NE(made[7], nullptr);
+  for (spe_context_ptr_t context : made) EXPECT_EQ(spe_context_destroy(context), 0);
+  EXPECT_EQ(spe_gang_context_destroy(gang), 0);
+  EXPECT_EQ(spe_gang_context_destroy(other), 0);
+}
+
+TEST(Context, an_image_that_is_no_spu_program_is_refused_when_it_is_opened) {
+  for (const char* name : {"/bin/sh", "/bin/cat"}) {
+    EXPECT_EQ(spe_image_open(name), nullptr) << name;
+    EXPECT_EQ(errno, EINVAL);
+  }
 }
 
 TEST(Context, the_local_store_is_256_kb_aligned_and_plain_memory) {
