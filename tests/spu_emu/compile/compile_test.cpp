@@ -84,6 +84,9 @@ TEST(Compile, the_huge_value_is_what_arithmetic_saturates_to) {
 #ifdef SPU_EMU_HAS_ELF
 TEST(Compile, the_same_sources_give_the_same_as_real_spu_code) {
   EXPECT_EQ(run(compiled_casts_elf).exit_code, 42);
+  EXPECT_EQ(run(compiled_keyword_elf).exit_code, 5);
+  alignas(16) const unsigned int word = 0x1234;
+  EXPECT_EQ(run(compiled_old_style_elf, &word).exit_code, 42);
   EXPECT_EQ(run(compiled_main_without_parameters_elf).message, 40U);
   EXPECT_EQ(run(compiled_huge_value_elf).exit_code, 42);
   EXPECT_EQ(run(compiled_huge_value_c_elf).exit_code, 42);

@@ -34,7 +34,7 @@ int main(unsigned long long, unsigned long long, unsigned long long) {
   if (spu_extract((vec_ushort8)pair.words[1], 2) != 0x1415) return 5;
   if (spu_extract((Pattern)words + (Pattern)constant, 15) != 0x2e) return 6;
   if (spu_extract((vec_short8) - (vec_int4)words, 0) != -2) return 7;
-  if (spu_extract(static_cast<vec_uchar16>(~(vec_ushort8)words), 1) != 0xfe) return 8;
+  if (spu_extract(reinterpret_cast<vec_uchar16>(~(vec_ushort8)words), 1) != 0xfe) return 8;
   if (sum((vec_ushort8)words, (vec_uchar16)spu_add(words, 1U)) != 0x0203 + 0x10) return 9;
   const bool is_low = true;
   if (spu_extract(is_low ? (vec_uchar16)words : constant, 3) != 3) return 10;

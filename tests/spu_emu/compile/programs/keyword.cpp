@@ -29,8 +29,8 @@ int main() {
   Arrow arrow{{1, 2, 3}};
   vector unsigned int words = {0x10203, 0x4050607, 0x8090a0b, 0xc0d0e0f};
   const vector signed short* halves = nullptr;
-  vector bool int mask = spu_cmpgt(words, 0x5000000U);
-  vector bool char bytes = spu_splats(static_cast<unsigned char>(1));
+  vector unsigned int mask = spu_cmpgt(words, 0x5000000U);
+  vector unsigned char bytes = spu_splats(static_cast<unsigned char>(1));
   __vector float floats = make(arrow.vector[1]);
   int vector = static_cast<int>(one.size() + two.size());
   const bool sizes = sizeof(vector unsigned int) == 16 && sizeof(vector) == 4 && halves == nullptr;

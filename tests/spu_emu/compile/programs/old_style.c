@@ -4,6 +4,7 @@
 #include <spu_mfcio.h>
 
 typedef vector unsigned char pattern_t;
+typedef vector unsigned int words_t;
 
 /* Each lies at a multiple of 16 bytes, as the SPU's compiler places it. */
 char flag;
@@ -17,7 +18,7 @@ unsigned int counter;
 static struct point *move();
 
 static vector unsigned char bytes_of(words)
-vector unsigned int words;
+words_t words;
 {
   return (vector unsigned char)words;
 }
@@ -31,7 +32,7 @@ unsigned long long speid, argp, envp;
   int vector = 3;
 
   if (speid == 0 || envp != 0) return 10;
-  mixed = spu_shuffle(words, (vec_uint4){1, 2, 3, 4}, (pattern_t)words);
+  mixed = spu_shuffle(words, ((vec_uint4){1, 2, 3, 4}), (pattern_t)words);
   if (spu_extract(mixed, 0) != 0x00010203 || spu_extract(mixed, 2) != 3) return 1;
   if (spu_extract(bytes_of(words), 5) != 5) return 2;
   if (spu_extract((vector unsigned short)words, 3) != 0x0607) return 3;
