@@ -7,6 +7,7 @@
 
 #include "libspe2/context.h"
 #include "libspe2/load_program.h"
+#include "libspe2/mapped_access.h"
 #include "libspe2/program_image.h"
 #include "spe/settings.h"
 
@@ -96,6 +97,7 @@ int spe_context_destroy(spe_context_ptr_t spe) {
   }
   if (spe->running.load()) return fail(EBUSY);
   spu_emu::forget_in_event_handlers(spe);
+  spu_emu::unmap_problem_state(spe);
   if (spe->gang != nullptr) {
     spe->gang->affinity.remove(spe);
     spe->gang->members.fetch_sub(1);
@@ -168,6 +170,7 @@ void* spe_ps_area_get(spe_context_ptr_t spe, enum ps_area area) {
   else if ((spe->flags & SPE_MAP_PS) == 0)
     errno = EACCES;
   if (errno != 0) return nullptr;
+  spu_emu::map_problem_state(spe);
   return spe->spe.arena().base() + spu_emu::kProblemStateOffset + area_offset(area);
 }
 
