@@ -100,9 +100,9 @@ int spe_signal_write(spe_context_ptr_t spe, unsigned int signal_reg, unsigned in
 void* spe_ls_area_get(spe_context_ptr_t spe);
 int spe_ls_size_get(spe_context_ptr_t spe);
 /* EACCES unless the context was created with SPE_MAP_PS. A load or store there faults, and a handler of SIGSEGV, which
- * the first call installs, does what it is for: mailboxes and their status, signals, MFC_MSSync, and the registers of
- * proxy DMA. On x86-64 that is so for mov of 32 bits, as compilers make of volatile accesses, on PowerPC for lwz, stw,
- * lwzx, stwx, lwa and lwax. SPU_RunCntl, SPU_Status, SPU_NPC, and what else an instruction may do, end the process with
+ * the first call installs, does what it is for: mailboxes and their status, signals, MFC_MSSync, SPU_Status, and the
+ * registers of proxy DMA. On x86-64 that is so for mov of 32 bits, as compilers make of volatile accesses, on PowerPC for lwz, stw,
+ * lwzx, stwx, lwa and lwax. SPU_RunCntl, SPU_NPC, and what else an instruction may do, end the process with
  * a line that names the function to call. */
 void* spe_ps_area_get(spe_context_ptr_t spe, enum ps_area area);
 

@@ -58,6 +58,8 @@ struct spe_context {
   spe_gang_context_ptr_t const gang;
   spu_emu::Spe spe;
   std::atomic<bool> running{false};
+  /// The status register after the last stop.
+  std::atomic<int> status{0};
   std::mutex stop_mutex;
   std::deque<spe_stop_info_t> stops;
   /// Proxy tags used and not yet reported done; under the proxy mutex.

@@ -184,6 +184,7 @@ int run_context(spe_context_ptr_t spe, unsigned int& entry, unsigned int flags, 
         fresh ? spe->spe.start(make_arguments(spe, registers, argp, envp)) : spe->spe.resume(entry);
     result = run(spe, stop, flags, info);
     entry = spe->spe.program()->resume_entry();
+    spe->status.store(info.spu_status);
   }
   const int error = errno;
   publish_stop(spe, info);

@@ -20,6 +20,8 @@ constexpr std::uint32_t kTagStatus = kMfcCommandArea + 0x22c;
 constexpr std::uint32_t kOutMailbox = kControlArea + 0x4;
 constexpr std::uint32_t kInMailbox = kControlArea + 0xc;
 constexpr std::uint32_t kMailboxStatus = kControlArea + 0x14;
+constexpr std::uint32_t kStatus = kControlArea + 0x24;
+constexpr std::uint32_t kRunning = 1;
 constexpr std::uint32_t kQueueIsEmpty = 0x80000000U;
 }  // namespace
 
@@ -91,6 +93,9 @@ bool MappedRegisters::read(std::uint32_t offset, std::uint32_t& value) {
       value = spe_->spe.proxy().free_slots() | (spe_->spe.proxy().empty() ? kQueueIsEmpty : 0);
       return true;
     }
+    case kStatus:
+      value = spe_->running.load() ? kRunning : static_cast<std::uint32_t>(spe_->status.load());
+      return true;
     case kOutMailbox:
       // An empty mailbox has some value on a Cell, too.
       spe_->spe.channels().read_register(offset, value);

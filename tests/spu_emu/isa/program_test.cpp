@@ -245,6 +245,25 @@ TEST(IsaProgram, a_local_store_of_this_machines_order_gets_swapped_words) {
   EXPECT_EQ(spe_context_destroy(to), 0);
 }
 
+TEST(IsaProgram, loads_and_stores_of_the_host_reach_a_mapped_problem_state) {
+  IsaContext context(Code{encode("rdch", {20, 29}), encode("ai", {20, 20, 1}), encode("wrch", {28, 20}),
+                          encode("rdch", {21, 3}), stop_with(0x2007)},
+                     {}, SPE_MAP_PS | SPE_EVENTS_ENABLE);
+  auto* control =
+      static_cast<volatile spe_spu_control_area_t*>(spe_ps_area_get(context.spe, SPE_CONTROL_AREA));
+  auto* signal =
+      static_cast<volatile spe_sig_notify_1_area_t*>(spe_ps_area_get(context.spe, SPE_SIG_NOTIFY_1_AREA));
+  ASSERT_NE(control, nullptr);
+  std::thread spu([&] { EXPECT_EQ(context.run(), 0); });
+  control->SPU_In_Mbox = 0x01020304;
+  while ((control->SPU_Mbox_Stat & 0xffU) == 0) std::this_thread::yield();
+  EXPECT_EQ(control->SPU_Out_Mbox, 0x01020305U);
+  EXPECT_EQ(control->SPU_Status, 1U);
+  signal->SPU_Sig_Notify_1 = 5;
+  spu.join();
+  EXPECT_EQ(control->SPU_Status, 0x20070002U);
+}
+
 TEST(IsaProgram, mailboxes_and_signals_carry_values) {
   IsaContext context(Code{encode("rdch", {20, 29}), encode("rdch", {21, 3}), encode("a", {20, 20, 21}),
                           encode("wrch", {28, 20}), kExit});
