@@ -1,5 +1,5 @@
-// The C library's math.h, with the SPU's idea of the largest float: single precision has no infinity there, and
-// HUGE_VALF is what arithmetic saturates to. That is the largest float of this machine here.
+// The C library's math.h, with the SPU's idea of the largest float: single precision has no infinity there,
+// and HUGE_VALF is what arithmetic saturates to. That is the largest float of this machine here.
 #ifndef SPU_EMU_LIBC_MATH_H
 #define SPU_EMU_LIBC_MATH_H
 
