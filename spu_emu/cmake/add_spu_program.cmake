@@ -2,7 +2,7 @@
 #   [INCLUDE_DIRECTORIES dirs...] [COMPILE_DEFINITIONS definitions...] [COMPILE_OPTIONS options...]
 #   [ELF_OPTIONS options...] [HOST_ONLY] [CODE_RESERVE bytes] [DATA_RESERVE bytes] [STACK_RESERVE bytes])
 #
-# Builds SPU sources (C++17 against the SDK's headers) for the host engine of spu_emu and makes the static library
+# Builds SPU sources (.c and C++17, against the SDK's headers) for the host engine of spu_emu and makes the static library
 # `name`, which defines `spe_program_handle_t name` with the program's image in it. Link it into the program that
 # calls spe_program_load(context, &name), which declares `extern "C" spe_program_handle_t name;`.
 #
@@ -33,12 +33,30 @@ function(spu_emu_add_module name)
   set(module ${name}_spu_module)
   set(program ${name}_spu_objects)
 
-  # The program's own sources: main is renamed, for the module has no start-up code of its own.
+  # The program's own sources, translated on their way to the compiler. Those in C, too, are the C++ compiler's for
+  # CMake, and the translator's to tell.
   add_library(${program} OBJECT ${ARGN})
-  target_compile_definitions(${program} PRIVATE main=spu_emu_program_main __SPU__=1)
+  set_target_properties(${program} PROPERTIES CXX_COMPILER_LAUNCHER $<TARGET_FILE:spu_emu::compile>)
+  add_dependencies(${program} spu_emu::compile)
+  set(c_sources ${ARGN})
+  list(FILTER c_sources INCLUDE REGEX "\\.c$")
+  if(c_sources)
+    set_source_files_properties(${c_sources} PROPERTIES LANGUAGE CXX)
+  endif()
+  # All are compiled again when the translator has changed.
+  set(translator ${CMAKE_CURRENT_BINARY_DIR}/${name}.spu-emu-compile)
+  add_custom_command(OUTPUT ${translator} COMMAND ${CMAKE_COMMAND} -E touch ${translator} DEPENDS spu_emu::compile
+    COMMENT "" VERBATIM)
+  set_property(SOURCE ${ARGN} APPEND PROPERTY OBJECT_DEPENDS ${translator})
+  target_compile_definitions(${program} PRIVATE __SPU__=1)
+  target_include_directories(${program} SYSTEM BEFORE PRIVATE ${SPU_EMU_INCLUDE_DIR}/spu_emu/libc)
   target_link_libraries(${program} PRIVATE ${name}_spu_settings)
 
-  add_library(${module} MODULE ${SPU_EMU_RUNTIME_DIR}/module.cpp $<TARGET_OBJECTS:${program}>)
+  set(runtime ${SPU_EMU_RUNTIME_DIR}/module.cpp)
+  if(c_sources)
+    list(APPEND runtime ${SPU_EMU_RUNTIME_DIR}/c_intrinsics.cpp ${SPU_EMU_RUNTIME_DIR}/c_services.cpp)
+  endif()
+  add_library(${module} MODULE ${runtime} $<TARGET_OBJECTS:${program}>)
   foreach(target IN ITEMS ${program} ${module})
     set_target_properties(${target} PROPERTIES
       CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS ON POSITION_INDEPENDENT_CODE ON
@@ -55,6 +73,11 @@ function(spu_emu_add_module name)
     -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
     -Wl,--wrap=memalign,--wrap=aligned_alloc,--wrap=posix_memalign
     -Wl,--wrap=exit,--wrap=_exit,--wrap=atexit,--wrap=__cxa_atexit)
+  if(c_sources)
+    # Of the intrinsics only those that the program calls.
+    target_compile_options(${module} PRIVATE -ffunction-sections -fdata-sections)
+    target_link_options(${module} PRIVATE -Wl,--gc-sections)
+  endif()
   spu_emu_add_image(${name} ${name} $<TARGET_FILE:${module}> ${module})
 endfunction()
 

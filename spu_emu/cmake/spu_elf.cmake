@@ -43,8 +43,8 @@ endfunction()
 # spu_emu_compile_elf(NAME TOOLCHAIN OUT SOURCES...): rules for the objects of one program, with the settings of the
 # interface library NAME_spu_settings.
 function(spu_emu_compile_elf name toolchain out)
-  set(flags -std=gnu++17 -O2 -fno-exceptions -fno-rtti -fno-strict-aliasing -ffp-contract=off -ffunction-sections
-    -fdata-sections $<$<NOT:$<CONFIG:Debug>>:-DNDEBUG>)
+  set(flags -O2 -fno-strict-aliasing -ffp-contract=off -ffunction-sections -fdata-sections
+    $<$<NOT:$<CONFIG:Debug>>:-DNDEBUG>)
   set(options $<TARGET_PROPERTY:${name}_spu_settings,INTERFACE_COMPILE_OPTIONS>)
   set(elf_options $<TARGET_PROPERTY:${name}_spu_settings,SPU_EMU_ELF_OPTIONS>)
   set(definitions $<TARGET_PROPERTY:${name}_spu_settings,INTERFACE_COMPILE_DEFINITIONS>)
@@ -54,8 +54,13 @@ function(spu_emu_compile_elf name toolchain out)
     string(MAKE_C_IDENTIFIER ${source} object)
     set(object ${name}.elf.dir/${object}.o)
     cmake_path(ABSOLUTE_PATH source)
+    # The options of the program come later, and so may name another language standard.
+    set(compiler spu-elf-g++ -std=gnu++17 -fno-exceptions -fno-rtti)
+    if(source MATCHES "[.]c$")
+      set(compiler spu-elf-gcc -std=gnu11 -fcommon -fgnu89-inline)
+    endif()
     add_custom_command(OUTPUT ${object} DEPFILE ${object}.d DEPENDS ${source} ${toolchain}/complete
-      COMMAND ${toolchain}/bin/spu-elf-g++ ${flags} "${options}" "${elf_options}"
+      COMMAND ${toolchain}/bin/${compiler} ${flags} "${options}" "${elf_options}"
         "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>" "$<$<BOOL:${includes}>:-I$<JOIN:${includes},;-I>>" -MMD -MF ${object}.d -MT ${object} -c ${source}
         -o ${object}
       WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} COMMENT "Building SPU object ${object}"

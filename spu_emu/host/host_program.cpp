@@ -105,6 +105,10 @@ void HostProgram::stop_for_good(const Stop& stop) {
   for (;;) stop_here(stop);
 }
 
+void HostProgram::stop_for_exit(unsigned int code) {
+  for (;;) stop_here({Stop::Kind::exit, code, 0, {}});
+}
+
 void HostProgram::note_end(End end) {
   end_ = std::move(end);
 }

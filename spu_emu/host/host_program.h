@@ -29,6 +29,7 @@ class HostProgram final : public Program {
   Stop resume(unsigned int entry) override;
   bool can_resume(unsigned int entry) const override { return suspended_ && entry == entry_; }
   unsigned int resume_entry() const override { return entry_; }
+  std::uint32_t ls_address(std::uint32_t number) const override { return store_.address_of_number(number); }
   unsigned int entry_after_call() const override { return entry_; }
   int serve_library_call(const Stop& call) override;
   std::uint32_t high_water() const override { return high_water_.load(std::memory_order_relaxed); }
@@ -44,6 +45,8 @@ class HostProgram final : public Program {
   }
   void stop_here(const Stop& stop);
   [[noreturn]] void stop_for_good(const Stop& stop);
+  /// The program's exit, which comes again when it is resumed, as that of a real one does.
+  [[noreturn]] void stop_for_exit(unsigned int code);
   /// Why a program ends before its time. What is to be said of it is put into words off its stack, where
   /// memory may run out once more.
   struct End {

@@ -59,7 +59,7 @@ void dma(void* spe, const volatile void* ls, unsigned long long ea, unsigned int
 void stop(void* spe, unsigned int code, SourceLine) {
   guarded(spe, [&](HostProgram& self) {
     self.channels().finish();
-    if ((code & 0xff00U) == 0x2000U) self.stop_for_good({Stop::Kind::exit, code, 0, {}});
+    if ((code & 0xff00U) == 0x2000U) self.stop_for_exit(code);
     const bool call = (code & 0xff00U) == 0x2100U;
     const std::uint32_t word = call ? self.make_call_word(0, nullptr) : 0;
     self.stop_here({call ? Stop::Kind::library_call : Stop::Kind::signal, code, word, {}});

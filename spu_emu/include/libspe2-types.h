@@ -9,7 +9,8 @@
 extern "C" {
 #endif
 
-/* Problem state areas: only DMA commands of SPEs reach the registers, plain loads and stores fault. */
+/* Problem state areas, for DMA commands of SPEs and for loads and stores of 32-bit words; see
+ * spe_ps_area_get. */
 typedef struct spe_mssync_area {
   unsigned int MFC_MSSync;
 } spe_mssync_area_t;

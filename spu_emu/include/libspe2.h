@@ -18,8 +18,10 @@ extern "C" {
 #endif
 
 /* A new SPE with the settings of <spu_emu/emulation.h>. Owned by the caller until spe_context_destroy.
- * SPE_ISOLATE and SPE_ISOLATE_EMULATE are refused (ENODEV, EINVAL); other flags that only place an SPE are
- * accepted and do nothing. */
+ * SPE_ISOLATE and SPE_ISOLATE_EMULATE are refused (ENODEV, EINVAL). Where an SPE lies means nothing here, but
+ * what a Cell's kernel refuses is refused: EEXIST for a second context of a gang at memory, a neighbour that
+ * has one on both sides or more than a node's SPEs, EINVAL for a neighbour of another gang or
+ * SPE_AFFINITY_MEMORY without one, EBUSY when neighbours of the gang have run. */
 spe_context_ptr_t spe_context_create(unsigned int flags, spe_gang_context_ptr_t gang);
 spe_context_ptr_t spe_context_create_affinity(unsigned int flags, spe_context_ptr_t affinity_neighbor,
                                               spe_gang_context_ptr_t gang);
@@ -38,10 +40,14 @@ int spe_image_close(spe_program_handle_t* program);
  * executes, ENOMEM when code, data and stack reserve exceed the limit; spu_emu::last_fault says more. */
 int spe_program_load(spe_context_ptr_t spe, spe_program_handle_t* program);
 
-/* Runs the loaded program on the calling thread until it stops. entry: SPE_DEFAULT_ENTRY starts it, the value
- * found there after a stop-and-signal resumes it. Returns 0 after exit, the code after stop-and-signal, -1
- * after a fault: EIO for a broken DMA rule (with SPE_EVENTS_ENABLE; without, SIGBUS is raised), EFAULT for
- * other faults. */
+/* Runs the loaded program on the calling thread until it stops. entry: SPE_DEFAULT_ENTRY, or the entry of an
+ * SPU ELF file, starts it; the value found there after a stop goes on behind that, also after an exit, which
+ * a program's exit function repeats. Returns 0 after exit, the code after stop-and-signal, -1 after a fault:
+ * EIO for a broken DMA rule, EFAULT for other faults. Without SPE_EVENTS_ENABLE a signal is raised first:
+ * SIGBUS for a broken DMA rule, SIGSEGV for an address without memory, SIGILL for what is no instruction;
+ * when a handler returns from it, the stop reason is SPE_RUNTIME_FATAL with EINTR, and errno EFAULT.
+ * SPE_RUN_USER_REGS: argp is the address of r3, r4 and r5, four words each; see UserRegisters in
+ * <spu_emu/emulation.h> for programs that write doublewords. */
 int spe_context_run(spe_context_ptr_t spe, unsigned int* entry, unsigned int runflags, void* argp, void* envp,
                     spe_stop_info_t* stopinfo);
 /* The next stop info not read yet; needs SPE_EVENTS_ENABLE (else ENOTSUP); EAGAIN when there is none. */
@@ -93,7 +99,12 @@ int spe_signal_write(spe_context_ptr_t spe, unsigned int signal_reg, unsigned in
 /* Addresses by which SPEs' DMA (and, for the local store, plain loads and stores) reach this SPE. */
 void* spe_ls_area_get(spe_context_ptr_t spe);
 int spe_ls_size_get(spe_context_ptr_t spe);
-/* EACCES unless the context was created with SPE_MAP_PS. */
+/* EACCES unless the context was created with SPE_MAP_PS. A load or store there faults, and a handler of
+ * SIGSEGV, which the first call installs, does what it is for: mailboxes and their status, signals,
+ * MFC_MSSync, SPU_Status, and the registers of proxy DMA. On x86-64 that is so for mov of 32 bits, as
+ * compilers make of volatile accesses, on PowerPC for lwz, stw, lwzx, stwx, lwa and lwax. SPU_RunCntl,
+ * SPU_NPC, and what else an instruction may do, end the process with a line that names the function to call.
+ */
 void* spe_ps_area_get(spe_context_ptr_t spe, enum ps_area area);
 
 /* Library calls 0x2100-0x21ff: int handler(void* ls_base, unsigned int word_address). Numbers 0-3 are

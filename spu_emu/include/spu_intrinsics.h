@@ -3,9 +3,8 @@
 //
 // Each function works on the elements of its argument types exactly as an SPU would: element 0 is leftmost
 // and the preferred slot, "even" is the left half of a wider lane, quadword operations and shuffle patterns
-// see bytes in big-endian order. The one thing that cannot be true on a little-endian host is a plain cast
-// between vectors of different element width; cast through qword, `(vec_uchar16)(qword)words`, where a
-// program relies on it.
+// see bytes in big-endian order. A plain cast between vectors of different element width is true to that only
+// in sources that add_spu_program compiles (see vec_types.h); `(vec_uchar16)(qword)words` is everywhere.
 //
 // Floating point: SPU programs run with MXCSR 0xFFC0 on their thread (spu_emu/intrinsics/float_mode.h) and
 // are compiled with -frounding-math -ffp-contract=off. SPU_EMU_PRECISE, defined for all of a program's
@@ -21,6 +20,10 @@
 #endif
 
 #include "vec_types.h"
+
+#ifndef __cplusplus
+#include "spu_emu/c/vectors.h"
+#else
 
 #include "spu_emu/channels.h"
 #include "spu_emu/intrinsics/arithmetic.h"
@@ -47,5 +50,7 @@
 #include "spu_emu/intrinsics/specific_memory.h"
 #include "spu_emu/intrinsics/specific_scalar.h"
 #include "spu_emu/intrinsics/specific_shift.h"
+
+#endif  // __cplusplus
 
 #endif

@@ -7,9 +7,6 @@
 
 #include <spu_intrinsics.h>
 
-#include <cstdint>
-
-#include "spu_emu/channels.h"
 #include "spu_emu/mfc_opcodes.h"
 
 #define MFC_MIN_DMA_SIZE 1
@@ -20,6 +17,14 @@
 #define MFC_MAX_DMA_LIST_SIZE 16384
 #define MFC_TAG_INVALID 0xFFFFFFFFU
 #define MFC_TAG_VALID 0U
+
+#ifndef __cplusplus
+#include "spu_emu/c/mfcio.h"
+#else
+
+#include <cstdint>
+
+#include "spu_emu/channels.h"
 
 /// One element of a DMA list. The words have the values they have on the Cell (notify is the first word's
 /// highest bit), whatever the byte order of the host, so lists written word by word work too.
@@ -265,5 +270,7 @@ inline unsigned int mfc_begin_critical_section() {
   return 0;
 }
 inline void mfc_end_critical_section(unsigned int) {}
+
+#endif  // __cplusplus
 
 #endif

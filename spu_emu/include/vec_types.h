@@ -1,39 +1,49 @@
 // The SDK's vector type names, as 16-byte vectors of the GNU extension, and the `vector` keyword.
 //
 // Elements keep the SPU's order: element 0 is the leftmost, the preferred slot. What a little-endian host
-// cannot keep is the order of the bytes inside an element, so a plain cast that changes the element width,
-// `(vec_ushort8)some_vec_uint4`, yields the halves of each word swapped against the SPU. Cast through qword
-// (`(vec_ushort8)(qword)v`, see spu_intrinsics.h), which reorders and so gives the SPU's answer.
-// Casts that keep the width (float4 <-> uint4 <-> int4, ushort8 <-> short8, ...) are exact as they stand.
+// cannot keep is the order of the bytes inside an element. Sources that add_spu_program compiles are
+// translated first (SPU_EMU_TRANSLATED): a cast that changes the element width,
+// `(vec_ushort8)some_vec_uint4`, reorders bytes there and so gives the SPU's answer, and `vector` is a
+// keyword before a built-in type only. What goes through memory, a union or a pointer to another type, still
+// sees the host's order.
 //
-// `vector float` and `__vector float` compile as SDK sources write them. `vector` is a macro here and
-// therefore collides with std::vector: define SPU_EMU_NO_VECTOR_KEYWORD before the first SDK header (or
-// `#undef vector` after it) in files that want std::vector; `__vector` and the vec_ names stay. `vector bool`
-// has no host form: write vec_bchar16, vec_bshort8 or vec_bint4, which on an SPU are the unsigned vectors,
-// too.
+// In other sources such a cast yields the parts of each element swapped; cast through qword there
+// (`(vec_ushort8)(qword)v`, see spu_intrinsics.h). `vector` is a macro in them and collides with std::vector:
+// define SPU_EMU_NO_VECTOR_KEYWORD before the first SDK header, or `#undef vector` after it; `__vector` and
+// the vec_ names stay. They write vec_bint4 for `vector bool int`. Casts that keep the width (float4 <->
+// uint4 <-> int4, ushort8 <-> short8, ...) are exact everywhere.
 #ifndef SPU_EMU_VEC_TYPES_H
 #define SPU_EMU_VEC_TYPES_H
 
-#define __vector __attribute__((vector_size(16)))
+#define SPU_EMU_VECTOR __attribute__((vector_size(16)))
+#ifndef SPU_EMU_TRANSLATED
+#define __vector SPU_EMU_VECTOR
 #ifndef SPU_EMU_NO_VECTOR_KEYWORD
 #define vector __vector
 #endif
+#endif
 
-using vec_uchar16 = __vector unsigned char;
-using vec_char16 = __vector signed char;
-using vec_ushort8 = __vector unsigned short;
-using vec_short8 = __vector signed short;
-using vec_uint4 = __vector unsigned int;
-using vec_int4 = __vector signed int;
-using vec_ullong2 = __vector unsigned long long;
-using vec_llong2 = __vector signed long long;
-using vec_float4 = __vector float;
-using vec_double2 = __vector double;
+typedef SPU_EMU_VECTOR unsigned char vec_uchar16;
+typedef SPU_EMU_VECTOR signed char vec_char16;
+typedef SPU_EMU_VECTOR unsigned short vec_ushort8;
+typedef SPU_EMU_VECTOR signed short vec_short8;
+typedef SPU_EMU_VECTOR unsigned int vec_uint4;
+typedef SPU_EMU_VECTOR signed int vec_int4;
+typedef SPU_EMU_VECTOR unsigned long long vec_ullong2;
+typedef SPU_EMU_VECTOR signed long long vec_llong2;
+typedef SPU_EMU_VECTOR float vec_float4;
+typedef SPU_EMU_VECTOR double vec_double2;
 
 // Names of the PPU's vector types, for code that vmx2spu.h carries over.
-using vec_bchar16 = vec_uchar16;
-using vec_bshort8 = vec_ushort8;
-using vec_pixel8 = vec_ushort8;
-using vec_bint4 = vec_uint4;
+typedef vec_uchar16 vec_bchar16;
+typedef vec_ushort8 vec_bshort8;
+typedef vec_ushort8 vec_pixel8;
+typedef vec_uint4 vec_bint4;
+
+#ifdef SPU_EMU_TRANSLATED
+#ifdef __cplusplus
+#include "spu_emu/intrinsics/cast.h"
+#endif
+#endif
 
 #endif

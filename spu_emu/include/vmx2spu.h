@@ -6,6 +6,10 @@
 #ifndef SPU_EMU_VMX2SPU_H
 #define SPU_EMU_VMX2SPU_H
 
+#ifndef __cplusplus
+#error "vmx2spu.h is for C++ on this engine: name the source .cpp, or run it as real SPU code"
+#endif
+
 #include "spu_intrinsics.h"
 
 #include "spu_emu/intrinsics/vmx_arithmetic.h"

@@ -89,12 +89,13 @@ Stop IsaProgram::start(const Arguments& arguments) {
   set_registers(arguments);
   machine_.set_pc(entry_);
   if (debugger_) debugger_->started();
+  is_over_ = false;
   store_known_ = true;
   return run();
 }
 
 bool IsaProgram::can_resume(unsigned int entry) const {
-  return suspended_ && entry % 4 == 0 && entry < kHardwareSize;
+  return !is_over_ && entry % 4 == 0 && entry < kHardwareSize;
 }
 
 Stop IsaProgram::resume(unsigned int entry) {
@@ -159,7 +160,6 @@ Stop IsaProgram::translate(const MachineStop& stop) {
 
 /// A library call has its argument word behind the stop.
 Stop IsaProgram::at_stop_instruction(const MachineStop& stop) {
-  suspended_ = !is_exit(stop.code);
   stopped_at_ = (stop.pc - 4) % kHardwareSize;
   if (is_exit(stop.code) && debugger_) debugger_->ended(stop.code & 0xffU);
   if (is_exit(stop.code)) return {Stop::Kind::exit, stop.code, 0, {}};
@@ -176,7 +176,7 @@ int IsaProgram::serve_library_call(const Stop& call) {
 Stop IsaProgram::end_by(const Fault& fault) {
   if (debugger_) debugger_->failed(fault.text());
   spe_.channels().abandon();
-  suspended_ = false;
+  is_over_ = true;
   stopped_at_ = machine_.pc();
   note_progress();
   spe_.set_last_fault(fault.text() + "\n" + where());

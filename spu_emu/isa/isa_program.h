@@ -28,6 +28,7 @@ class IsaProgram final : public Program, private StoreObserver {
   Stop start(const Arguments& arguments) override;
   Stop resume(unsigned int entry) override;
   bool can_resume(unsigned int entry) const override;
+  bool begins_at(unsigned int entry) const override { return entry == entry_; }
   unsigned int resume_entry() const override { return machine_.pc(); }
   unsigned int entry_after_call() const override { return machine_.pc() + 4; }
   int serve_library_call(const Stop& call) override;
@@ -63,7 +64,8 @@ class IsaProgram final : public Program, private StoreObserver {
   /// The instruction of the last stop.
   std::uint32_t stopped_at_ = 0;
   std::vector<ElfSymbol> symbols_;
-  bool suspended_ = false;
+  /// A fault has ended it: only a start goes on.
+  bool is_over_ = false;
   /// What the host changed in the store while the program stood still is known.
   bool store_known_ = false;
   std::atomic<std::uint32_t> high_water_{0};

@@ -10,9 +10,12 @@
 #include <deque>
 #include <mutex>
 
+#include "libspe2/affinity.h"
 #include "spe/spe.h"
 
 namespace spu_emu {
+
+inline constexpr int kSpesPerNode = 8;
 
 /// Notified by every change in any SPE that an event handler may wait for.
 WaitPoint& event_point();
@@ -41,6 +44,7 @@ inline int fail(int error) {
 
 struct spe_gang_context {
   std::atomic<int> members{0};
+  spu_emu::Affinity affinity;
 };
 
 struct spe_context {
@@ -54,6 +58,8 @@ struct spe_context {
   spe_gang_context_ptr_t const gang;
   spu_emu::Spe spe;
   std::atomic<bool> running{false};
+  /// The status register after the last stop.
+  std::atomic<int> status{0};
   std::mutex stop_mutex;
   std::deque<spe_stop_info_t> stops;
   /// Proxy tags used and not yet reported done; under the proxy mutex.

@@ -7,6 +7,7 @@
 
 #include "libspe2/context.h"
 #include "libspe2/load_program.h"
+#include "libspe2/mapped_access.h"
 #include "libspe2/program_image.h"
 #include "spe/settings.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 using spu_emu::fail;
 
-constexpr int kSpesPerNode = 8;
+using spu_emu::kSpesPerNode;
 
 int node_count() {
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
@@ -44,14 +45,22 @@ spu_emu::WaitPoint& spu_emu::event_point() {
   return point;
 }
 
-spe_context_ptr_t spe_context_create(unsigned int flags, spe_gang_context_ptr_t gang) {
+namespace {
+
+/// A context of the gang, if there is one, beside `neighbor`, if there is one.
+spe_context_ptr_t create(unsigned int flags, spe_context_ptr_t neighbor, spe_gang_context_ptr_t gang) {
   if ((flags & (SPE_ISOLATE | SPE_ISOLATE_EMULATE)) != 0) {
     errno = (flags & SPE_ISOLATE) != 0 ? ENODEV : EINVAL;
     return nullptr;
   }
+  if (gang != nullptr) errno = gang->affinity.check(flags, neighbor);
+  if (gang != nullptr && errno != 0) return nullptr;
   try {
     auto context = std::make_unique<spe_context>(flags, gang, spu_emu::current_settings());
-    if (gang != nullptr) gang->members.fetch_add(1);
+    if (gang != nullptr) {
+      gang->members.fetch_add(1);
+      gang->affinity.add(context.get(), neighbor);
+    }
     return context.release();
   } catch (const std::bad_alloc&) {
     errno = ENOMEM;
@@ -59,13 +68,23 @@ spe_context_ptr_t spe_context_create(unsigned int flags, spe_gang_context_ptr_t 
   }
 }
 
-spe_context_ptr_t spe_context_create_affinity(unsigned int flags, spe_context_ptr_t,
+}  // namespace
+
+spe_context_ptr_t spe_context_create(unsigned int flags, spe_gang_context_ptr_t gang) {
+  if ((flags & SPE_AFFINITY_MEMORY) != 0 && gang == nullptr) {
+    errno = EINVAL;
+    return nullptr;
+  }
+  return create(flags, nullptr, gang);
+}
+
+spe_context_ptr_t spe_context_create_affinity(unsigned int flags, spe_context_ptr_t affinity_neighbor,
                                               spe_gang_context_ptr_t gang) {
   if (gang == nullptr) {
     errno = ESRCH;
     return nullptr;
   }
-  return spe_context_create(flags, gang);
+  return create(flags, affinity_neighbor, gang);
 }
 
 /// In a child of the process that made it, a context's locks may be held by threads that are not there: its
@@ -78,7 +97,11 @@ int spe_context_destroy(spe_context_ptr_t spe) {
   }
   if (spe->running.load()) return fail(EBUSY);
   spu_emu::forget_in_event_handlers(spe);
-  if (spe->gang != nullptr) spe->gang->members.fetch_sub(1);
+  spu_emu::unmap_problem_state(spe);
+  if (spe->gang != nullptr) {
+    spe->gang->affinity.remove(spe);
+    spe->gang->members.fetch_sub(1);
+  }
   delete spe;
   return 0;
 }
@@ -147,6 +170,7 @@ void* spe_ps_area_get(spe_context_ptr_t spe, enum ps_area area) {
   else if ((spe->flags & SPE_MAP_PS) == 0)
     errno = EACCES;
   if (errno != 0) return nullptr;
+  spu_emu::map_problem_state(spe);
   return spe->spe.arena().base() + spu_emu::kProblemStateOffset + area_offset(area);
 }
 

@@ -5,7 +5,6 @@
 
 namespace {
 
-using spu_emu::Command;
 using spu_emu::CommandQueue;
 using spu_emu::fail;
 using spu_emu::Fault;
@@ -29,9 +28,9 @@ int issue(spe_context_ptr_t spe, unsigned opcode, unsigned ls, void* ea, unsigne
           unsigned tid, unsigned rid) {
   if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (tag >= kProxyTags || tid > kLargestId || rid > kLargestId) return fail(EINVAL);
-  const Command command{opcode, tag, size, ls, reinterpret_cast<std::uintptr_t>(ea), {}};
   return with_proxy(spe, [&](CommandQueue& queue) {
-    queue.issue(command);
+    const std::uint32_t address = spe->spe.loaded() ? spe->spe.program()->ls_address(ls) : ls;
+    queue.issue({opcode, tag, size, address, reinterpret_cast<std::uintptr_t>(ea), {}});
     spe->used_tags |= 1U << tag;
     return 0;
   });

@@ -1,8 +1,12 @@
 // libspe2: running a context, and the library calls of its program.
 #include <array>
+#include <bit>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <new>
+#include <optional>
+#include <utility>
 
 #include "libspe2/context.h"
 
@@ -35,17 +39,30 @@ int stop_status(unsigned code) {
   return static_cast<int>((code << 16U) | SPE_SPU_STOPPED_BY_STOP);
 }
 
-spu_emu::Arguments make_arguments(spe_context_ptr_t spe, unsigned flags, void* argp, void* envp) {
-  if ((flags & SPE_RUN_USER_REGS) == 0) {
+using RegisterWords = std::array<unsigned int, 12>;
+
+/// What the caller gave for r3 to r5, word by word as the registers have it. Declared as doublewords, each
+/// has its high word first there, whatever the byte order of this machine.
+RegisterWords user_registers(spe_context_ptr_t spe, const void* argp) {
+  RegisterWords words{};
+  std::memcpy(words.data(), argp, sizeof words);
+  const bool is_swapped = std::endian::native == std::endian::little &&
+                          spe->spe.settings().user_registers == spu_emu::UserRegisters::doublewords;
+  for (std::size_t i = 0; is_swapped && i < words.size(); i += 2) std::swap(words[i], words[i + 1]);
+  return words;
+}
+
+/// `registers` is empty, or outlives what is returned.
+spu_emu::Arguments make_arguments(spe_context_ptr_t spe, const std::optional<RegisterWords>& registers,
+                                  void* argp, void* envp) {
+  if (!registers) {
     return {reinterpret_cast<std::uintptr_t>(spe), reinterpret_cast<std::uintptr_t>(argp),
             reinterpret_cast<std::uintptr_t>(envp), nullptr};
   }
-  std::array<unsigned int, 12> words{};
-  std::memcpy(words.data(), argp, sizeof words);
   const auto value = [&](std::size_t i) {
-    return (static_cast<unsigned long long>(words[i]) << 32U) | words[i + 1];
+    return (static_cast<unsigned long long>((*registers)[i]) << 32U) | (*registers)[i + 1];
   };
-  return {value(0), value(4), value(8), static_cast<const unsigned int*>(argp)};
+  return {value(0), value(4), value(8), registers->data()};
 }
 
 int report_exit(const Stop& stop, spe_stop_info_t& info) {
@@ -69,8 +86,29 @@ int report_call_error(const Stop& stop, int value, spe_stop_info_t& info) {
   return fail(EFAULT);
 }
 
-/// A DMA exception without SPE_EVENTS_ENABLE is a signal, as from the Cell's kernel.
+/// The signal by which a Cell's kernel tells a program without SPE_EVENTS_ENABLE; 0 where it tells none.
+int kernel_signal(const spu_emu::StopReport& report) {
+  if (report.reason == SPE_RUNTIME_EXCEPTION) {
+    return report.value == SPE_DMA_STORAGE || report.value == SPE_DMA_SEGMENTATION ? SIGSEGV : SIGBUS;
+  }
+  const bool is_no_instruction = report.reason == SPE_RUNTIME_ERROR && report.value == SPE_SPU_INVALID_INSTR;
+  return is_no_instruction ? SIGILL : 0;
+}
+
+/// Raises the signal, which by itself says nothing of the reason. When a handler took it, the run ends as a
+/// system call that a signal has interrupted.
+int report_by_signal(spe_context_ptr_t spe, int signal, spe_stop_info_t& info) {
+  std::fprintf(stderr, "spu_emu: %s\n", spe->spe.last_fault().c_str());
+  std::raise(signal);
+  info.stop_reason = SPE_RUNTIME_FATAL;
+  info.result.spe_runtime_fatal = EINTR;
+  info.spu_status = -1;
+  return fail(EFAULT);
+}
+
 int report_fault(spe_context_ptr_t spe, const Stop& stop, spe_stop_info_t& info) {
+  const int signal = spe->events_enabled() ? 0 : kernel_signal(stop.report);
+  if (signal != 0) return report_by_signal(spe, signal, info);
   info.stop_reason = stop.report.reason;
   info.result.spe_runtime_error = stop.report.value;
   if (stop.report.reason != SPE_RUNTIME_EXCEPTION) {
@@ -78,7 +116,6 @@ int report_fault(spe_context_ptr_t spe, const Stop& stop, spe_stop_info_t& info)
     return fail(EFAULT);
   }
   info.spu_status = -1;
-  if (!spe->events_enabled()) std::raise(SIGBUS);
   return fail(EIO);
 }
 
@@ -134,12 +171,20 @@ int run_context(spe_context_ptr_t spe, unsigned int& entry, unsigned int flags, 
   {
     const Running running(spe);
     if (!running.taken) return fail(EBUSY);
-    const bool fresh = entry == SPE_DEFAULT_ENTRY;
+    const bool fresh = entry == SPE_DEFAULT_ENTRY || spe->spe.program()->begins_at(entry);
     if (!fresh && !spe->spe.program()->can_resume(entry)) return fail(EINVAL);
+    std::optional<RegisterWords> registers;
+    if (fresh && (flags & SPE_RUN_USER_REGS) != 0) {
+      if (argp == nullptr) return fail(EINVAL);
+      registers = user_registers(spe, argp);
+    }
+    if (spe->gang != nullptr) spe->gang->affinity.note_run(spe);
     info = {};
-    const Stop stop = fresh ? spe->spe.start(make_arguments(spe, flags, argp, envp)) : spe->spe.resume(entry);
+    const Stop stop =
+        fresh ? spe->spe.start(make_arguments(spe, registers, argp, envp)) : spe->spe.resume(entry);
     result = run(spe, stop, flags, info);
     entry = spe->spe.program()->resume_entry();
+    spe->status.store(info.spu_status);
   }
   const int error = errno;
   publish_stop(spe, info);

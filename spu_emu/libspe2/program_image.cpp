@@ -58,10 +58,17 @@ int read_file(int file, std::vector<std::byte>& bytes) {
   return 0;
 }
 
+/// Whether a shared object of this machine may be a program module: others have no such symbol.
+bool names_entry(std::span<const std::byte> file) {
+  const std::span<const char> name("spu_emu_entry");  // with its NUL
+  const auto wanted = std::as_bytes(name);
+  return std::search(file.begin(), file.end(), wanted.begin(), wanted.end()) != file.end();
+}
+
 int check_program(std::span<const std::byte> file) {
   switch (image_kind(file)) {
     case ImageKind::host_module:
-      return claimed_module_size(file) <= file.size() ? 0 : EINVAL;
+      return claimed_module_size(file) <= file.size() && names_entry(file) ? 0 : EINVAL;
     case ImageKind::spu_elf:
       return isa::read_elf(file).program ? 0 : EINVAL;
     case ImageKind::none:

@@ -11,7 +11,14 @@
 
 const spu_emu::HostServices* spu_emu_services = nullptr;
 
-int spu_emu_program_main(unsigned long long speid, unsigned long long argp, unsigned long long envp);
+extern "C" {
+/// The program's main, whatever parameters it has: they are passed alike.
+__attribute__((visibility("hidden"))) int spu_emu_program_main(unsigned long long speid,
+                                                               unsigned long long argp,
+                                                               unsigned long long envp);
+/// There where main returns nothing.
+extern const char spu_emu_program_main_is_void __attribute__((weak, visibility("hidden")));
+}
 
 namespace {
 
@@ -60,7 +67,7 @@ __attribute__((visibility("default"))) int spu_emu_entry(unsigned long long spei
                                                          unsigned long long envp) {
   const int code = spu_emu_program_main(speid, argp, envp);
   run_exit_calls();
-  return code;
+  return &spu_emu_program_main_is_void == nullptr ? code : 0;
 }
 
 void* __wrap_malloc(std::size_t size) {

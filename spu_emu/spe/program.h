@@ -47,10 +47,16 @@ class Program {
   /// Goes on at `entry`, which can_resume has said is possible, and runs until the next stop.
   virtual Stop resume(unsigned int entry) = 0;
   virtual bool can_resume(unsigned int entry) const = 0;
+  /// Whether to go on there is to start anew, with arguments.
+  virtual bool begins_at(unsigned int) const { return false; }
   /// The entry at which a stopped program goes on.
   virtual unsigned int resume_entry() const = 0;
   /// The same after a library call that was served: behind the call's argument word.
   virtual unsigned int entry_after_call() const = 0;
+
+  /// The LS address of what a program calls one, in words that it sends: there it may be the low half of a
+  /// pointer.
+  virtual std::uint32_t ls_address(std::uint32_t number) const { return number; }
 
   /// Serves a library call that the host program registered no handler for; 0, or what a handler that failed
   /// returns.

@@ -75,7 +75,7 @@ SpuArguments::SpuArguments(MainKind kind, const std::vector<std::string>& argume
   }
   const auto size = static_cast<std::uint32_t>(bytes.size());
   if (size > kLargestTransfer) throw std::length_error("the arguments have more than 16384 bytes");
-  const std::uint64_t address = keep(std::move(bytes));
+  const std::uint64_t address = keep(bytes);
   const auto high = static_cast<std::uint32_t>(address >> 32U);
   const auto low = static_cast<std::uint32_t>(address);
   if (kind == MainKind::standard) {
@@ -87,13 +87,9 @@ SpuArguments::SpuArguments(MainKind kind, const std::vector<std::string>& argume
 }
 
 /// In memory the words have this machine's order: DMA swaps them.
-std::uint64_t SpuArguments::keep(std::vector<std::byte> bytes) {
-  bytes.resize((bytes.size() + sizeof(Line) - 1) / sizeof(Line) * sizeof(Line));
-  memory_.resize(bytes.size() / sizeof(Line));
-  for (std::size_t i = 0; i < bytes.size() / 4; ++i) {
-    memory_[i / 32].words[i % 32] = read_word(bytes.data() + 4 * i);
-  }
-  return reinterpret_cast<std::uintptr_t>(memory_.data());
+std::uint64_t SpuArguments::keep(std::span<const std::byte> bytes) {
+  for (std::size_t i = 0; i < bytes.size() / 4; ++i) memory_.words()[i] = read_word(bytes.data() + 4 * i);
+  return reinterpret_cast<std::uintptr_t>(memory_.words());
 }
 
 }  // namespace spu_emu

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/guest_memory.h"
+
 namespace spu_emu {
 
 /// How a program's start-up code takes its arguments.
@@ -25,10 +27,12 @@ enum class MainKind {
 /// command.
 MainKind main_kind(std::span<const std::byte> elf_file);
 
-/// Registers r3 to r5 for SPE_RUN_USER_REGS, and the memory they refer to, which the program reads by DMA.
+/// Registers r3 to r5 for SPE_RUN_USER_REGS, and the memory they refer to, which the program reads by DMA and
+/// may write.
 ///
 /// standard: argc; and the region of argv pointers and texts that goes to the top of the local store. spe:
 /// number 1; argp is the address of the arguments, each ended by a NUL; envp is their size, a multiple of 16.
+/// Behind the arguments the memory at argp is the program's to use.
 class SpuArguments {
  public:
   /// Throws std::length_error when the arguments are more than one DMA command moves.
@@ -37,13 +41,9 @@ class SpuArguments {
   std::array<unsigned int, 12>& registers() { return registers_; }
 
  private:
-  struct alignas(128) Line {
-    std::array<std::uint32_t, 32> words{};
-  };
+  std::uint64_t keep(std::span<const std::byte> bytes);
 
-  std::uint64_t keep(std::vector<std::byte> bytes);
-
-  std::vector<Line> memory_;
+  GuestMemory memory_;
   std::array<unsigned int, 12> registers_{};
 };
 

@@ -28,6 +28,11 @@ struct DebuggerSettings {
   std::string commands;
 };
 
+/// What the 48 bytes of SPE_RUN_USER_REGS are on this machine: words as the registers have them, or
+/// doublewords, as a program writes them that passes addresses (`unsigned long long regs[3][2]`). On a
+/// big-endian machine both are the same.
+enum class UserRegisters { words, doublewords };
+
 /// Settings of one SPE, fixed when its context is created. Sizes are in bytes.
 struct EmulationSettings {
   DmaMode dma_mode = DmaMode::eager;
@@ -54,6 +59,8 @@ struct EmulationSettings {
   /// as in a sanitizer's build, for whoever wants to see it there. Takes handlers of SIGSEGV, SIGBUS, SIGFPE,
   /// SIGILL and SIGABRT, which hand on what is no program's to those before them.
   bool contain_faults = true;
+  /// How a host program writes what it gives with SPE_RUN_USER_REGS.
+  UserRegisters user_registers = UserRegisters::words;
   /// Decrementer ticks per second.
   double timebase_hertz = 79.8e6;
   /// Keep a timeline for write_trace.

@@ -8,24 +8,24 @@
 namespace spu_emu::isa {
 
 namespace {
-std::optional<std::string> printed(const StdioCall& call, std::uint32_t format_index) {
+PrintResult printed(const StdioCall& call, std::uint32_t format_index) {
   ArgumentList arguments(call.store, call.block + 16 * (format_index + 1));
   return print_format(call.store, call.text(format_index), arguments);
 }
 
 CallResult print_to(const StdioCall& call, std::FILE* stream, std::uint32_t format_index) {
-  const auto text = printed(call, format_index);
-  return text ? put_text(stream, *text) : refused(EOVERFLOW);
+  const PrintResult result = printed(call, format_index);
+  return result.error == 0 ? put_text(stream, result.text) : refused(result.error);
 }
 
 CallResult print_into_store(const StdioCall& call, std::uint32_t format_index, std::uint32_t capacity) {
-  const auto text = printed(call, format_index);
-  if (!text) return refused(EOVERFLOW);
+  const PrintResult result = printed(call, format_index);
+  if (result.error != 0) return refused(result.error);
   if (capacity != 0) {
-    const std::string kept = text->substr(0, capacity - 1);
+    const std::string kept = result.text.substr(0, capacity - 1);
     call.store.write(call.word(0), std::as_bytes(std::span(kept.c_str(), kept.size() + 1)));
   }
-  return {static_cast<std::uint32_t>(text->size()), 0};
+  return {static_cast<std::uint32_t>(result.text.size()), 0};
 }
 
 CallResult scan(const StdioCall& call, ScanSource& source, std::uint32_t format_index) {

@@ -1,9 +1,13 @@
 #include "isa/libc/print_format.h"
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <optional>
 #include <string_view>
 #include <vector>
+
+#include "isa/libc/wide_text.h"
 
 namespace spu_emu::isa {
 
@@ -26,15 +30,16 @@ class Printer {
   Printer(StoreBytes& store, const std::string& format, ArgumentList& arguments)
       : store_(store), format_(format), arguments_(arguments) {}
 
-  std::optional<std::string> print() {
+  PrintResult print() {
     while (at_ < format_.size()) {
       const std::size_t percent = std::min(format_.find('%', at_), format_.size());
       out_.append(format_, at_, percent - at_);
       at_ = percent;
       if (at_ < format_.size()) convert();
-      if (out_.size() > kLongestPrint) return std::nullopt;
+      if (out_.size() > kLongestPrint) return PrintResult{{}, EOVERFLOW};
+      if (error_ != 0) return PrintResult{{}, error_};
     }
-    return std::move(out_);
+    return {std::move(out_), 0};
   }
 
  private:
@@ -102,9 +107,14 @@ class Printer {
       case 'A':
         return print_with(conversion, "", conversion.letter, arguments_.next_double());
       case 'c':
+        if (conversion.length == 'l') return print_wide(conversion, bytes_of(arguments_.next_word()));
         return pad(conversion, std::string(1, static_cast<char>(arguments_.next_word())));
+      case 'C':
+        return print_wide(conversion, bytes_of(arguments_.next_word()));
       case 's':
-        return print_text(conversion);
+        return conversion.length == 'l' ? print_wide_text(conversion) : print_text(conversion);
+      case 'S':
+        return print_wide_text(conversion);
       case 'n':
         return store_count(conversion);
       case '%':
@@ -166,6 +176,20 @@ class Printer {
     pad(conversion, address == 0 ? std::string("(null)").substr(0, longest) : store_.text(address, longest));
   }
 
+  /// What is no character ends the whole text.
+  void print_wide(const PrintConversion& conversion, const std::optional<std::string>& bytes) {
+    if (bytes) return pad(conversion, *bytes);
+    error_ = EILSEQ;
+  }
+
+  void print_wide_text(const PrintConversion& conversion) {
+    const std::uint32_t address = arguments_.next_word();
+    const auto longest =
+        conversion.precision < 0 ? UINT32_MAX : static_cast<std::uint32_t>(conversion.precision);
+    if (address == 0) return pad(conversion, std::string("(null)").substr(0, longest));
+    print_wide(conversion, wide_text(store_, address, longest));
+  }
+
   void pad(const PrintConversion& conversion, const std::string& text) {
     const bool left = conversion.width < 0 || conversion.flags.find('-') != std::string::npos;
     const auto width = static_cast<std::size_t>(std::abs(conversion.width));
@@ -189,11 +213,11 @@ class Printer {
   ArgumentList& arguments_;
   std::size_t at_ = 0;
   std::string out_;
+  int error_ = 0;
 };
 }  // namespace
 
-std::optional<std::string> print_format(StoreBytes& store, const std::string& format,
-                                        ArgumentList& arguments) {
+PrintResult print_format(StoreBytes& store, const std::string& format, ArgumentList& arguments) {
   return Printer(store, format, arguments).print();
 }
 

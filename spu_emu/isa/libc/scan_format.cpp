@@ -6,7 +6,11 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <string_view>
+#include <vector>
+
+#include "isa/libc/wide_text.h"
 
 namespace spu_emu::isa {
 
@@ -93,6 +97,10 @@ class Scanner {
     result.length = length();
     result.letter = peek();
     if (at_ < format_.size()) ++at_;
+    if (result.letter == 'C' || result.letter == 'S') {
+      result.length = 'l';
+      result.letter = result.letter == 'C' ? 'c' : 's';
+    }
     if (result.letter == '[') read_set(result);
     return result;
   }
@@ -211,8 +219,46 @@ class Scanner {
     return true;
   }
 
+  /// Characters of UTF-8, `most` at most, as long as `wanted` takes their first byte; nothing if one is none.
+  template <class Wanted>
+  std::optional<std::vector<std::uint32_t>> wide_item(std::size_t most, Wanted&& wanted) {
+    std::vector<std::uint32_t> characters;
+    while (characters.size() < most) {
+      const int c = next();
+      if (c == EOF || !wanted(c)) {
+        give_back(c);
+        break;
+      }
+      std::string bytes(1, static_cast<char>(c));
+      const unsigned size = bytes_behind(static_cast<unsigned char>(c));
+      if (size > 1) bytes += item(size - 1, [](int, const std::string&) { return true; });
+      const auto character = character_of(bytes);
+      if (!character) return std::nullopt;
+      characters.push_back(*character);
+    }
+    return characters;
+  }
+
+  template <class Wanted>
+  bool scan_wide(const ScanConversion& conversion, std::size_t least, std::size_t most, bool is_ended,
+                 Wanted&& wanted) {
+    const auto characters = wide_item(most, wanted);
+    if (!characters || characters->size() < least) return false;
+    if (conversion.suppressed) return true;
+    store_result([&] {
+      std::uint32_t address = arguments_.next_word();
+      for (const std::uint32_t character : *characters) {
+        store_.set_word(address, character);
+        address += 4;
+      }
+      if (is_ended) store_.set_word(address, 0);
+    });
+    return true;
+  }
+
   template <class Wanted>
   bool scan_text(const ScanConversion& conversion, Wanted&& wanted) {
+    if (conversion.length == 'l') return scan_wide(conversion, 1, conversion.width, true, wanted);
     const std::string text = item(conversion.width, [&](int c, const std::string&) { return wanted(c); });
     if (text.empty()) return false;
     if (!conversion.suppressed) store_result([&] { store_text(text.c_str(), text.size() + 1); });
@@ -221,6 +267,7 @@ class Scanner {
 
   bool scan_characters(const ScanConversion& conversion) {
     const std::size_t count = conversion.width == kLongestItem ? 1 : conversion.width;
+    if (conversion.length == 'l') return scan_wide(conversion, count, count, false, [](int) { return true; });
     const std::string text = item(count, [](int, const std::string&) { return true; });
     if (text.size() < count) return false;
     if (!conversion.suppressed) store_result([&] { store_text(text.data(), text.size()); });

@@ -31,7 +31,7 @@ TEST(HostFault, without_events_enabled_a_broken_dma_rule_is_sigbus) {
         std::signal(SIGBUS, SIG_DFL);
         context.run(Probe::misaligned_get, &words);
       },
-      testing::KilledBySignal(SIGBUS), "");
+      testing::KilledBySignal(SIGBUS), "16-byte alignment");
 }
 
 TEST(HostFault, a_bad_channel_and_a_halt_are_runtime_errors) {

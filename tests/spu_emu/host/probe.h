@@ -31,7 +31,8 @@ enum class Probe : unsigned long long {
   reserve_tags,
   put_without_waiting,
   many_gets,
-  own_arguments
+  own_arguments,
+  send_global_and_wait
 };
 
 #endif

@@ -43,6 +43,14 @@ int sum(unsigned int* words, unsigned long long ea) {
   return static_cast<int>(total & 0xffU);
 }
 
+/// The host fills the global by its LS address, which is sent as programs send it, in one word.
+int send_global_and_wait() {
+  spu_write_out_mbox(static_cast<unsigned int>(reinterpret_cast<std::uintptr_t>(&global_words[0])));
+  spu_read_in_mbox();
+  for (unsigned int& word : global_words) ++word;
+  return static_cast<int>(global_words[5]);
+}
+
 int sum_into_heap(unsigned long long ea) {
   auto* words = static_cast<unsigned int*>(_malloc_align(kWords * sizeof(unsigned int), 7));
   const int total = sum(words, ea);
@@ -233,6 +241,8 @@ int run(Probe probe, unsigned long long parameter) {
     case Probe::many_gets:
       many_gets(parameter);
       return 0;
+    case Probe::send_global_and_wait:
+      return send_global_and_wait();
     case Probe::own_arguments:
       return 0;
   }

@@ -51,7 +51,32 @@ TEST(Run, stop_and_signal_returns_the_code_and_can_be_resumed) {
   EXPECT_EQ(context.resume(), 0x124);
   EXPECT_EQ(context.resume(), 0);
   EXPECT_EQ(context.stop.result.spe_exit_code, 3);
-  EXPECT_EQ(context.resume(), -1);
+}
+
+TEST(Run, a_program_that_is_resumed_after_its_exit_exits_again_until_it_is_started) {
+  TestContext context;
+  EXPECT_EQ(context.exit_code(Probe::count_runs), 1);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(context.resume(), 0);
+    EXPECT_EQ(context.stop.stop_reason, unsigned{SPE_EXIT});
+    EXPECT_EQ(context.stop.result.spe_exit_code, 1);
+  }
+  EXPECT_EQ(context.exit_code(Probe::count_runs), 2);
+}
+
+TEST(Run, user_registers_may_be_declared_as_doublewords) {
+  EmulationSettings settings;
+  settings.user_registers = UserRegisters::doublewords;
+  TestContext context(settings);
+  const unsigned long long probe = static_cast<unsigned long long>(Probe::return_parameter);
+  std::array<unsigned long long, 6> registers{1, 0, probe, 0, 77, 0};
+  EXPECT_EQ(spe_context_run(context.spe, &context.entry, SPE_RUN_USER_REGS, registers.data(), nullptr,
+                            &context.stop),
+            0);
+  EXPECT_EQ(context.stop.result.spe_exit_code, 77);
+  context.entry = SPE_DEFAULT_ENTRY;
+  EXPECT_EQ(spe_context_run(context.spe, &context.entry, SPE_RUN_USER_REGS, nullptr, nullptr, &context.stop),
+            -1);
   EXPECT_EQ(errno, EINVAL);
 }
 

@@ -21,8 +21,61 @@ TEST(IsaProgram, the_exit_code_comes_back_in_the_stop_info) {
   EXPECT_EQ(context.stop.stop_reason, unsigned{SPE_EXIT});
   EXPECT_EQ(context.stop.result.spe_exit_code, 0x17);
   EXPECT_EQ(context.stop.spu_status, (0x2017 << 16) | SPE_SPU_STOPPED_BY_STOP);
-  EXPECT_EQ(context.resume(), -1);
-  EXPECT_EQ(errno, EINVAL);
+}
+
+TEST(IsaProgram, a_program_goes_on_behind_its_exit) {
+  IsaContext context(
+      Code{encode("ai", {20, 20, 1}), stop_with(0x2017), encode("stqa", {20, 0x200}), stop_with(0x111)});
+  EXPECT_EQ(context.run(), 0);
+  EXPECT_EQ(context.resume(), 0x111);
+  EXPECT_EQ(context.word(0x200), 1U);
+}
+
+TEST(IsaProgram, the_entry_of_the_file_by_its_number_is_a_start_with_arguments) {
+  IsaContext context(Code{encode("stqa", {4, 0x200}), stop_with(1), kExit});
+  EXPECT_EQ(context.run(reinterpret_cast<void*>(7)), 1);
+  context.entry = 0x80;
+  EXPECT_EQ(
+      spe_context_run(context.spe, &context.entry, 0, reinterpret_cast<void*>(8), nullptr, &context.stop), 1);
+  EXPECT_EQ(read_doubleword(context.local_store() + 0x200), 8U);
+}
+
+TEST(IsaProgram, user_registers_may_be_declared_as_doublewords) {
+  EmulationSettings settings;
+  settings.user_registers = UserRegisters::doublewords;
+  IsaContext context(Code{encode("stqa", {3, 0x200}), encode("stqa", {5, 0x210}), kExit}, settings);
+  std::array<unsigned long long, 6> registers{0x123456789abcdef0U, 2, 3, 4, 5, 0xf00000000U};
+  EXPECT_EQ(context.run(registers.data(), SPE_RUN_USER_REGS), 0);
+  EXPECT_EQ(read_doubleword(context.local_store() + 0x200), registers[0]);
+  EXPECT_EQ(read_doubleword(context.local_store() + 0x208), 2U);
+  EXPECT_EQ(read_doubleword(context.local_store() + 0x218), registers[5]);
+}
+
+volatile std::sig_atomic_t signals_taken = 0;
+
+TEST(IsaProgram, without_events_a_signal_tells_and_its_handler_interrupts_the_run) {
+  const auto expect_signal = [](const Code& code, int signal, const void* argp) {
+    signals_taken = 0;
+    struct sigaction before {};
+    struct sigaction action {};
+    action.sa_handler = [](int) { signals_taken = signals_taken + 1; };
+    sigaction(signal, &action, &before);
+    IsaContext context(code, {}, 0);
+    EXPECT_EQ(context.run(argp), -1);
+    EXPECT_EQ(errno, EFAULT);
+    EXPECT_EQ(context.stop.stop_reason, unsigned{SPE_RUNTIME_FATAL});
+    EXPECT_EQ(context.stop.result.spe_runtime_fatal, EINTR);
+    EXPECT_EQ(context.stop.spu_status, -1);
+    EXPECT_EQ(signals_taken, 1);
+    sigaction(signal, &before, nullptr);
+  };
+  Code misaligned;
+  append_dma(misaligned, MFC_GET_CMD, 0x1004, 16);
+  Code unmapped;
+  append_wait(append_dma(unmapped, MFC_GET_CMD, 0x1000, 16));
+  expect_signal(Code{0x01400000}, SIGILL, nullptr);
+  expect_signal(misaligned, SIGBUS, nullptr);
+  expect_signal(unmapped, SIGSEGV, reinterpret_cast<const void*>(0x1000));
 }
 
 TEST(IsaProgram, the_context_has_the_local_store_of_the_hardware) {
@@ -190,6 +243,25 @@ TEST(IsaProgram, a_local_store_of_this_machines_order_gets_swapped_words) {
   EXPECT_EQ(words[0], code[0]);
   EXPECT_EQ(words[3], code[3]);
   EXPECT_EQ(spe_context_destroy(to), 0);
+}
+
+TEST(IsaProgram, loads_and_stores_of_the_host_reach_a_mapped_problem_state) {
+  IsaContext context(Code{encode("rdch", {20, 29}), encode("ai", {20, 20, 1}), encode("wrch", {28, 20}),
+                          encode("rdch", {21, 3}), stop_with(0x2007)},
+                     {}, SPE_MAP_PS | SPE_EVENTS_ENABLE);
+  auto* control =
+      static_cast<volatile spe_spu_control_area_t*>(spe_ps_area_get(context.spe, SPE_CONTROL_AREA));
+  auto* signal =
+      static_cast<volatile spe_sig_notify_1_area_t*>(spe_ps_area_get(context.spe, SPE_SIG_NOTIFY_1_AREA));
+  ASSERT_NE(control, nullptr);
+  std::thread spu([&] { EXPECT_EQ(context.run(), 0); });
+  control->SPU_In_Mbox = 0x01020304;
+  while ((control->SPU_Mbox_Stat & 0xffU) == 0) std::this_thread::yield();
+  EXPECT_EQ(control->SPU_Out_Mbox, 0x01020305U);
+  EXPECT_EQ(control->SPU_Status, 1U);
+  signal->SPU_Sig_Notify_1 = 5;
+  spu.join();
+  EXPECT_EQ(control->SPU_Status, 0x20070002U);
 }
 
 TEST(IsaProgram, mailboxes_and_signals_carry_values) {
@@ -398,7 +470,7 @@ TEST(IsaProgram, without_events_enabled_bad_dma_is_sigbus) {
         std::signal(SIGBUS, SIG_DFL);
         context.run();
       },
-      testing::KilledBySignal(SIGBUS), "");
+      testing::KilledBySignal(SIGBUS), "16-byte alignment");
 }
 
 TEST(IsaProgram, an_overlay_program_finds_its_file_in_main_memory) {

@@ -2,6 +2,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <thread>
+#include <vector>
+
 #include "../host/test_context.h"
 
 namespace spu_emu {
@@ -53,6 +57,43 @@ TEST(Context, a_gang_lives_as_long_as_its_contexts) {
   EXPECT_EQ(spe_gang_context_destroy(gang), 0);
 }
 
+TEST(Context, affinity_that_a_cell_refuses_is_refused) {
+  const auto refused = [](spe_context_ptr_t context, int error) {
+    return context == nullptr && std::exchange(errno, 0) == error;
+  };
+  spe_gang_context_ptr_t gang = spe_gang_context_create(0);
+  spe_gang_context_ptr_t other = spe_gang_context_create(0);
+  std::vector<spe_context_ptr_t> made{spe_context_create(SPE_AFFINITY_MEMORY, gang)};
+  ASSERT_NE(made[0], nullptr);
+  EXPECT_TRUE(refused(spe_context_create(SPE_AFFINITY_MEMORY, gang), EEXIST));
+  EXPECT_TRUE(refused(spe_context_create(SPE_AFFINITY_MEMORY, nullptr), EINVAL));
+  EXPECT_TRUE(refused(spe_context_create_affinity(0, made[0], other), EINVAL));
+  for (int i = 0; i < 2; ++i) made.push_back(spe_context_create_affinity(0, made[0], gang));
+  EXPECT_TRUE(refused(spe_context_create_affinity(0, made[0], gang), EEXIST));
+  while (made.size() < 8) made.push_back(spe_context_create_affinity(0, made.back(), gang));
+  EXPECT_TRUE(refused(spe_context_create_affinity(0, made.back(), gang), EEXIST));
+  EXPECT_EQ(spe_context_destroy(made.back()), 0);
+  made.back() = spe_context_create_affinity(0, made[6], gang);
+  ASSERT_NE(made.back(), nullptr);
+  EXPECT_EQ(spe_program_load(made[7], &spu_emu_probe), 0);
+  unsigned int entry = SPE_DEFAULT_ENTRY;
+  EXPECT_EQ(spe_context_run(made[7], &entry, 0, nullptr, nullptr, nullptr), 0);
+  EXPECT_EQ(spe_context_destroy(made[7]), 0);
+  EXPECT_TRUE(refused(spe_context_create_affinity(0, made[6], gang), EBUSY));
+  made[7] = spe_context_create(0, gang);
+  ASSERT_NE(made[7], nullptr);
+  for (spe_context_ptr_t context : made) EXPECT_EQ(spe_context_destroy(context), 0);
+  EXPECT_EQ(spe_gang_context_destroy(gang), 0);
+  EXPECT_EQ(spe_gang_context_destroy(other), 0);
+}
+
+TEST(Context, an_image_that_is_no_spu_program_is_refused_when_it_is_opened) {
+  for (const char* name : {"/bin/sh", "/bin/cat"}) {
+    EXPECT_EQ(spe_image_open(name), nullptr) << name;
+    EXPECT_EQ(errno, EINVAL);
+  }
+}
+
 TEST(Context, the_local_store_is_256_kb_aligned_and_plain_memory) {
   TestContext context;
   auto* area = static_cast<unsigned char*>(spe_ls_area_get(context.spe));
@@ -81,6 +122,48 @@ TEST(Context, problem_state_areas_need_map_ps) {
             spe_ps_area_get(mapped.spe, SPE_SIG_NOTIFY_2_AREA));
   EXPECT_EQ(spe_ps_area_get(mapped.spe, static_cast<ps_area>(7)), nullptr);
   EXPECT_EQ(errno, EINVAL);
+}
+
+TEST(Context, loads_and_stores_reach_a_mapped_problem_state) {
+  TestContext context({}, SPE_MAP_PS | SPE_EVENTS_ENABLE);
+  auto* control =
+      static_cast<volatile spe_spu_control_area_t*>(spe_ps_area_get(context.spe, SPE_CONTROL_AREA));
+  ASSERT_NE(control, nullptr);
+  std::thread program([&] { EXPECT_EQ(context.run(Probe::echo_mailbox), 0); });
+  control->SPU_In_Mbox = 0x1235;
+  while ((control->SPU_Mbox_Stat & 0xffU) == 0) std::this_thread::yield();
+  EXPECT_EQ(control->SPU_Out_Mbox, 0x1236U);
+  control->SPU_In_Mbox = 0;
+  program.join();
+}
+
+TEST(Context, proxy_dma_may_be_written_into_a_mapped_problem_state) {
+  TestContext context({}, SPE_MAP_PS);
+  auto* area =
+      static_cast<volatile spe_mfc_command_area_t*>(spe_ps_area_get(context.spe, SPE_MFC_COMMAND_AREA));
+  ASSERT_NE(area, nullptr);
+  const Words words;
+  const auto ea = reinterpret_cast<std::uintptr_t>(&words);
+  area->MFC_LSA = 0x20000;
+  area->MFC_EAH = static_cast<unsigned int>(ea >> 32U);
+  area->MFC_EAL = static_cast<unsigned int>(ea);
+  area->MFC_Size_Tag = sizeof words << 16U | 3U;
+  area->MFC_Command.MFC_ClassID_CMD = 0x40;
+  EXPECT_EQ(area->MFC_Command.MFC_CMDStatus, 0U);
+  area->Prxy_QueryMask = 1U << 3U;
+  while (area->Prxy_TagStatus != 1U << 3U) {
+  }
+  EXPECT_EQ(area->MFC_QStatus, 0x80000008U);
+  EXPECT_EQ(static_cast<const unsigned int*>(spe_ls_area_get(context.spe))[0x8000 + 7], words.words[7]);
+}
+
+TEST(Context, what_a_mapped_problem_state_does_not_take_names_the_function_to_call) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  TestContext context({}, SPE_MAP_PS);
+  auto* control =
+      static_cast<volatile spe_spu_control_area_t*>(spe_ps_area_get(context.spe, SPE_CONTROL_AREA));
+  EXPECT_EXIT(control->SPU_RunCntl = 1, testing::KilledBySignal(SIGSEGV),
+              "0x0401c .*call spe_context_run instead");
 }
 
 TEST(Context, the_machine_has_nodes_of_eight_spes) {

@@ -1,5 +1,6 @@
 // Proxy DMA: the host moves bytes into and out of a local store through the MFC.
 #include <cstring>
+#include <thread>
 
 #include "../host/test_context.h"
 
@@ -31,6 +32,26 @@ TEST_P(Proxy, moves_bytes_both_ways_with_every_variant) {
   }
   EXPECT_EQ(statistics(context.spe).proxy_gets, 9U);
   EXPECT_EQ(statistics(context.spe).proxy_puts, 9U);
+}
+
+TEST_P(Proxy, reaches_globals_by_the_address_that_the_program_sends) {
+  TestContext context(settings_of(GetParam()));
+  Words words;
+  std::thread program([&] {
+    EXPECT_EQ(context.exit_code(Probe::send_global_and_wait), static_cast<int>(words.words[5] + 1));
+  });
+  unsigned int address = 0;
+  while (spe_out_mbox_read(context.spe, &address, 1) == 0) std::this_thread::yield();
+  unsigned int status = 0;
+  EXPECT_EQ(spe_mfcio_get(context.spe, address, &words, sizeof words, 3, 0, 0), 0) << last_fault(context.spe);
+  EXPECT_EQ(spe_mfcio_tag_status_read(context.spe, 1U << 3, SPE_TAG_ALL, &status), 0);
+  unsigned int go = 1;
+  EXPECT_EQ(spe_in_mbox_write(context.spe, &go, 1, SPE_MBOX_ALL_BLOCKING), 1);
+  program.join();
+  Words back;
+  EXPECT_EQ(spe_mfcio_put(context.spe, address, &back, sizeof back, 3, 0, 0), 0) << last_fault(context.spe);
+  EXPECT_EQ(spe_mfcio_tag_status_read(context.spe, 1U << 3, SPE_TAG_ALL, &status), 0);
+  EXPECT_EQ(back.words[7], words.words[7] + 1);
 }
 
 TEST_P(Proxy, asking_at_once_ends_when_repeated) {

@@ -7,6 +7,7 @@
 
 #include "../isa/elf/elf_builder.h"
 #include "../isa/encoding/assembler.h"
+#include "mfc/mapped.h"
 
 namespace spu_emu {
 namespace {
@@ -42,6 +43,19 @@ TEST(SpuArguments, another_main_gets_the_texts_and_their_size) {
   EXPECT_EQ(r[9], 16U);
   const auto texts = fetched(r[4], r[5], r[9]);
   EXPECT_STREQ(reinterpret_cast<const char*>(texts.data() + 5), "x");
+}
+
+TEST(SpuArguments, a_program_has_a_megabyte_behind_its_arguments_and_nothing_before) {
+  SpuArguments arguments(MainKind::spe, {"prog"}, 0x40000);
+  const auto& r = arguments.registers();
+  const std::uint64_t argp = (std::uint64_t{r[4]} << 32U) | r[5];
+  const auto mapped = [](std::uint64_t address, std::uint64_t size) {
+    return is_mapped(address, size, Access::write);
+  };
+  EXPECT_TRUE(mapped(argp, std::uint64_t{1} << 20U));
+  EXPECT_FALSE(mapped(argp - 16, 16));
+  EXPECT_FALSE(mapped(argp + (std::uint64_t{1} << 20U), 16));
+  EXPECT_EQ(fetched(r[4], r[5], 64)[40], std::byte{0});
 }
 
 TEST(SpuArguments, more_than_one_transfer_is_refused) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
+
 #include "call_store.h"
 #include "isa/libc/scan_format.h"
 
@@ -18,7 +20,8 @@ struct Formatted : CallStore {
   }
   std::string print(const std::string& format) {
     ArgumentList arguments(store, kVaList);
-    return print_format(store, format, arguments).value_or("too long");
+    const PrintResult result = print_format(store, format, arguments);
+    return result.error == 0 ? result.text : result.error == EOVERFLOW ? "too long" : "no character";
   }
   int scan(const std::string& input, const std::string& format) {
     ArgumentList arguments(store, kVaList);
@@ -131,6 +134,49 @@ TEST(ScanFormat, tells_where_it_stopped) {
   Formatted wild;
   wild.add_word(0x3fffe);
   EXPECT_THROW(wild.scan("1", "%d"), BadAddress);
+}
+
+/// The address of a wide text.
+std::uint32_t wide(Formatted& f, const std::u32string& text, std::uint32_t at) {
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    f.store.set_word(at + static_cast<std::uint32_t>(4 * i), i < text.size() ? text[i] : 0);
+  }
+  return at;
+}
+
+TEST(PrintFormat, wide_characters_are_words_and_become_utf_8) {
+  Formatted f;
+  f.add_word(wide(f, U"wide", 0x2000));
+  f.add_word(U'x');
+  f.add_word(0x20ac);
+  f.add_word(wide(f, U"a\u00e9\U0001f600", 0x2100));
+  f.add_word(0x2100);
+  f.add_word(0x2100);
+  f.add_word(0);
+  EXPECT_EQ(f.print("%ls|%3lc|%C|%-9ls|%.2ls|%.3S|%ls"),
+            "wide|  x|\u20ac|a\u00e9\U0001f600  |a|a\u00e9|(null)");
+}
+
+TEST(PrintFormat, a_word_that_is_no_character_ends_the_text) {
+  for (const std::uint32_t word : {0xd800U, 0x110000U, 0xffffffffU}) {
+    Formatted f;
+    f.add_word(word);
+    EXPECT_EQ(f.print("a%lcb"), "no character");
+  }
+}
+
+TEST(ScanFormat, wide_characters_come_from_utf_8) {
+  Formatted f;
+  for (const std::uint32_t address : {0x2000U, 0x2100U, 0x2200U, 0x2300U}) f.add_word(address);
+  EXPECT_EQ(f.scan("h\u00e9 \u20acxyz 7", "%ls %lc%2l[xy]%S"), 4);
+  EXPECT_EQ(f.store.word(0x2004), 0xe9U);
+  EXPECT_EQ(f.store.word(0x2008), 0U);
+  EXPECT_EQ(f.store.word(0x2100), 0x20acU);
+  EXPECT_EQ(f.store.word(0x2204), std::uint32_t{'y'});
+  EXPECT_EQ(f.store.word(0x2300), std::uint32_t{'z'});
+  Formatted broken;
+  broken.add_word(0x2000);
+  EXPECT_EQ(broken.scan("\xc3(", "%ls"), 0);
 }
 
 }  // namespace

@@ -1,0 +1,5 @@
+#include <spu_mfcio.h>
+
+int main() {
+  spu_write_out_mbox(40);
+}
