@@ -124,9 +124,9 @@ Accuracy measure(const Reference& reference, const std::string& function, const 
   Number exact;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (has_nan(format, samples[i], reference.arguments)) continue;
-    set_to(x, format, samples[i][0]);
-    set_to(y, format, samples[i][1]);
-    set_to(z, format, samples[i][2]);
+    set_to(x, format, as_operand(format, samples[i][0]));
+    set_to(y, format, as_operand(format, samples[i][1]));
+    set_to(z, format, as_operand(format, samples[i][2]));
     reference.exact(exact, x, y, z);
     const Bits result = element(results[i / lanes][reference.second ? 1 : 0], i % lanes, lanes);
     const double error = error_of(format, result, exact);

@@ -33,6 +33,11 @@ Kind kind_of(const Format& f, std::uint64_t bits) {
   return fraction_of(f, bits) == 0 ? Kind::infinite : Kind::none;
 }
 
+std::uint64_t as_operand(const Format& f, std::uint64_t bits) {
+  if (f.takes_denormals || exponent_of(f, bits) != 0) return bits;
+  return bits & (std::uint64_t{1} << static_cast<unsigned>(f.fraction_bits + f.exponent_bits));
+}
+
 void set_to(Number& number, const Format& f, std::uint64_t bits) {
   const std::uint64_t exponent = exponent_of(f, bits);
   if (kind_of(f, bits) == Kind::infinite) {
@@ -67,6 +72,8 @@ double error_of(const Format& f, std::uint64_t result, const Number& exact) {
     mpfr_set_ui_2exp(limit, 2, largest(f), MPFR_RNDN);
     mpfr_setsign(value, limit, mpfr_signbit(value), MPFR_RNDN);
   }
+  // Operands that are passed on as they are.
+  if (!f.takes_denormals && mpfr_zero_p(exact) != 0 && exponent_of(f, result) == 0) return 0;
   const bool too_small = mpfr_zero_p(exact) == 0 && mpfr_get_exp(exact) - 1 < smallest(f);
   if (too_small && !f.has_denormals && mpfr_zero_p(value) != 0) return 0;
   const long exponent = mpfr_zero_p(exact) != 0 ? smallest(f) : std::max<long>(mpfr_get_exp(exact) - 1, smallest(f));

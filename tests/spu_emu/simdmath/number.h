@@ -21,24 +21,28 @@ class Number {
   mpfr_t value_;
 };
 
-/// What a number of so many bits is: the SPU's floats have no infinity and no NaN, and none of the SPU's has denormals.
+/// What a number of so many bits is: the SPU's floats have no infinity, no NaN and no denormals; to its doubles a denormal
+/// operand is zero, results may be denormal.
 struct Format {
   int fraction_bits;
   int exponent_bits;
   bool has_infinity;
   bool has_denormals;
+  bool takes_denormals;
 
   [[nodiscard]] int bias() const { return (1 << (exponent_bits - 1)) - 1; }
   [[nodiscard]] std::uint64_t largest_exponent() const { return (1U << static_cast<unsigned>(exponent_bits)) - 1; }
 };
 
-constexpr Format kSpuFloat{23, 8, false, false};
-constexpr Format kPpuFloat{23, 8, true, true};
-constexpr Format kSpuDouble{52, 11, true, true};
+constexpr Format kSpuFloat{23, 8, false, false, false};
+constexpr Format kPpuFloat{23, 8, true, true, true};
+constexpr Format kSpuDouble{52, 11, true, true, false};
 
 enum class Kind { number, infinite, none };
 
 Kind kind_of(const Format& format, std::uint64_t bits);
+/// An operand as the unit takes it.
+std::uint64_t as_operand(const Format& format, std::uint64_t bits);
 /// Of a number, or of an infinity.
 void set_to(Number& number, const Format& format, std::uint64_t bits);
 

@@ -22,8 +22,8 @@
 #define SM_SQRT2 1.41421356237309504880
 #define SM_SQRT1_2 0.70710678118654752440
 
-#ifdef SPU_EMU_SPU_INTRINSICS_H
-/* The host engine's own intrinsics: the functions are compiled into the program. */
+#if defined(SPU_EMU_SPU_INTRINSICS_H) || defined(SIMDMATH_INLINE)
+/* Compiled into the program: with the host engine's own intrinsics always, elsewhere where the macro asks for it. */
 #include "simdmath/private/all.h"
 #define SM_1(header, result, name, A) \
   static inline result name(A x) { return _##name(x); }

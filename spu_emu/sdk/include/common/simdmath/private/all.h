@@ -2,6 +2,9 @@
 #ifndef SPU_EMU_SIMDMATH_ALL_H
 #define SPU_EMU_SIMDMATH_ALL_H
 
+#include "simdmath/private/d2_hyperbolic.h"
+#include "simdmath/private/d2_remainder.h"
+#include "simdmath/private/d2_trig.h"
 #include "simdmath/private/f4_arc.h"
 #include "simdmath/private/f4_compare.h"
 #include "simdmath/private/f4_exponent.h"
