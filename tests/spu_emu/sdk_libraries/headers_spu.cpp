@@ -80,6 +80,14 @@ void check_mathematics() {
   int count = 5;
   vssqrt(out, in, &count);
   check(out[0] == 1.0f && out[4] == 5.0f && out[5] == -1.0f);
+  double doubles[3] = {2.0, 3.0, -1.0};
+  double powers[3] = {};
+  const double exponents[3] = {10.0, 4.0, 3.0};
+  count = 3;
+  vpow(powers, doubles, exponents, &count);
+  check(powers[0] == 1024.0 && powers[1] == 81.0 && powers[2] == -1.0);
+  vrec(doubles, doubles, &count);
+  check(doubles[0] == 0.5 && doubles[2] == -1.0);
   prof_cp7();
   prof_stop();
 }

@@ -21,8 +21,8 @@ class Number {
   mpfr_t value_;
 };
 
-/// What a number of so many bits is: the SPU's floats have no infinity, no NaN and no denormals; to its doubles a denormal
-/// operand is zero, results may be denormal.
+/// What a number of so many bits is: the SPU's floats have no infinity, no NaN and no denormals, those of the PPU's vectors
+/// no denormals as Linux sets them; to the SPU's doubles a denormal operand is zero, results may be denormal.
 struct Format {
   int fraction_bits;
   int exponent_bits;
@@ -35,7 +35,7 @@ struct Format {
 };
 
 constexpr Format kSpuFloat{23, 8, false, false, false};
-constexpr Format kPpuFloat{23, 8, true, true, true};
+constexpr Format kPpuFloat{23, 8, true, false, false};
 constexpr Format kSpuDouble{52, 11, true, true, false};
 
 enum class Kind { number, infinite, none };

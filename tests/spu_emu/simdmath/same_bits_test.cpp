@@ -52,10 +52,10 @@ bool has_exponent(std::uint32_t word, std::uint32_t least, std::uint32_t most) {
 }
 
 /// What the host engine's fast build leaves open, for functions that are single instructions or say that they are not for
-/// all numbers: exponent 255, and arguments far from 1.
+/// all numbers: exponent 255, the sign of zero, and arguments far from 1.
 bool is_left_open(const std::string& function, const Call& call, const Result& real, std::size_t lane) {
   if (function == "fmaf4" || function == "fdimf4") {
-    return has_exponent(real[0][lane], 255, 255) || has_exponent(call[0][lane], 255, 255) ||
+    return has_exponent(real[0][lane], 255, 255) || has_exponent(real[0][lane], 0, 0) || has_exponent(call[0][lane], 255, 255) ||
            has_exponent(call[1][lane], 255, 255) || has_exponent(call[2][lane], 255, 255);
   }
   if (function.find("_fast") == std::string::npos) return false;

@@ -4,9 +4,10 @@
 
 #include "simdmath/private/d2_basic.h"
 #include "simdmath/private/f4_divide.h"
-#include "simdmath/private/polynomials_d2.h"
 
 #ifdef __SPU__
+
+#include "simdmath/private/polynomials_d2.h"
 
 /* 1 / b for b in the range of floats. */
 SM_INLINE vec_double2 sm_dreciprocal(vec_double2 b) {
@@ -50,7 +51,8 @@ static inline vec_double2 _divd2(vec_double2 a, vec_double2 b) {
   return sm_dsel(sm_dsigned(quotient, signs), sm_dmul(a, sm_dof(recip)),
                  sm_dis_special(a) | sm_dis_special(b) | sm_dis_zero(a) | sm_dis_zero(b));
 }
-static inline vec_double2 _recipd2(vec_double2 x) { return _divd2(SM_D2(1.0), x); }
+/* Of a NaN the unit's own, which a product with a constant 1 would not give. */
+static inline vec_double2 _recipd2(vec_double2 x) { return sm_dkeep_nan(_divd2(SM_D2(1.0), x), x); }
 
 /* x = part * 4^exponent, part from 1 to below 4. */
 SM_INLINE vec_double2 sm_dsplit_even(vec_double2 x, vec_int4* exponent) {
@@ -95,7 +97,8 @@ static inline vec_double2 _cbrtd2(vec_double2 x) {
   factor = sm_dsel(factor, SM_D2(0x1.965fea53d6e3dp0), sm_igt(rest, SM_I4(1)));
   y = sm_dmul(sm_poly_cbrt_d2(part), factor);
   slope = sm_dmul(sm_dreciprocal(sm_dmul(y, y)), SM_D2(0x1.5555555555555p-2));
-  /* The slope of the guess is good enough for two steps. */
+  /* The slope of the guess, with 16 bits, is good enough for three steps. */
+  y = sm_dmadd(sm_dnmsub(sm_dmul(y, y), y, whole), slope, y);
   y = sm_dmadd(sm_dnmsub(sm_dmul(y, y), y, whole), slope, y);
   square = sm_dmul(y, y);
   low = sm_dmsub(y, y, square);

@@ -120,7 +120,7 @@ typedef struct sm_dpair {
 SM_INLINE sm_dpair sm_dquick_sum(vec_double2 larger, vec_double2 smaller, vec_double2 low) {
   sm_dpair sum;
   sum.high = sm_dadd(larger, smaller);
-  sum.low = sm_dadd(sm_dsub(larger, sum.high), sm_dadd(smaller, low));
+  sum.low = sm_dadd(sm_dadd(sm_dsub(larger, sum.high), smaller), low);
   return sum;
 }
 SM_INLINE sm_dpair sm_dproduct(sm_dpair a, sm_dpair b) {

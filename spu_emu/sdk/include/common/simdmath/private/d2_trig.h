@@ -198,7 +198,7 @@ static inline vec_double2 _atan2d2(vec_double2 y, vec_double2 x) {
   /* What is so flat that its angle is the quotient, which may be small. */
   {
     const vec_double2 quotient = sm_dscale(sm_ddivide(part_y, part_x), distance);
-    const vec_uint4 is_quotient = spu_andc(sm_igt(SM_I4(-32), distance), negative_x | flat);
+    const vec_uint4 is_quotient = spu_andc(sm_igt(SM_I4(-32), distance), negative_x | flat | steep);
     result = sm_dsel(result, quotient, is_quotient);
   }
   return sm_dkeep_nan(sm_dkeep_nan(sm_dsigned(result, sm_dsign(y)), x), y);

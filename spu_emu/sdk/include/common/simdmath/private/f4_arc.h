@@ -81,12 +81,12 @@ static inline vec_float4 _atanf4(vec_float4 x) {
 
 /* The signs of zeros count. */
 static inline vec_float4 _atan2f4(vec_float4 y, vec_float4 x) {
-  vec_int4 power_y, power_x, exponent_y, exponent_x;
+  vec_int4 exponent_y, exponent_x;
   const vec_uint4 infinite_y = sm_fis_special(y);
   const vec_uint4 infinite_x = sm_fis_special(x);
-  const vec_float4 part_y = sm_fsplit(sm_fnormal(sm_fsel(y, SM_F4(1.0f), infinite_y), &power_y), &exponent_y);
-  const vec_float4 part_x = sm_fsplit(sm_fnormal(sm_fsel(x, SM_F4(1.0f), infinite_x), &power_x), &exponent_x);
-  vec_int4 distance = exponent_y + power_y - exponent_x - power_x;
+  const vec_float4 part_y = sm_fsplit(sm_fsel(y, SM_F4(1.0f), infinite_y), &exponent_y);
+  const vec_float4 part_x = sm_fsplit(sm_fsel(x, SM_F4(1.0f), infinite_x), &exponent_x);
+  vec_int4 distance = exponent_y - exponent_x;
   const vec_uint4 negative_x = (vec_uint4)((vec_int4)x >> 31);
   const vec_uint4 flat = sm_fis_zero(y) | (infinite_x & ~infinite_y);
   const vec_uint4 steep = (sm_fis_zero(x) & ~sm_fis_zero(y)) | (infinite_y & ~infinite_x);
@@ -98,7 +98,7 @@ static inline vec_float4 _atan2f4(vec_float4 y, vec_float4 x) {
   /* What is so flat that its angle is the quotient, which may be small. */
   {
     const vec_float4 quotient = sm_fscale(sm_fdivide(part_y, part_x), distance);
-    const vec_uint4 is_quotient = sm_igt(SM_I4(-20), distance) & ~negative_x & ~flat;
+    const vec_uint4 is_quotient = sm_igt(SM_I4(-20), distance) & ~(negative_x | flat | steep);
     result = sm_fsel(result, quotient, is_quotient);
   }
   return sm_fkeep_nan(sm_fkeep_nan(sm_fsigned(result, sm_fsign(y)), x), y);

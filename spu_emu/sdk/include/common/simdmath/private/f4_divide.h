@@ -63,11 +63,11 @@ SM_INLINE vec_float4 sm_fquotient_of_specials(vec_float4 result, vec_float4 a, v
 }
 
 static inline vec_float4 _divf4(vec_float4 a, vec_float4 b) {
-  vec_int4 power_a, power_b, exponent_a, exponent_b;
-  const vec_float4 part_a = sm_fsplit(sm_fnormal(a, &power_a), &exponent_a);
-  const vec_float4 part_b = sm_fsplit(sm_fnormal(b, &power_b), &exponent_b);
+  vec_int4 exponent_a, exponent_b;
+  const vec_float4 part_a = sm_fsplit(a, &exponent_a);
+  const vec_float4 part_b = sm_fsplit(b, &exponent_b);
   const vec_float4 quotient = sm_ftruncated_quotient(part_a, part_b, sm_fdivide(part_a, part_b));
-  const vec_float4 scaled = sm_fscale(quotient, exponent_a + power_a - exponent_b - power_b);
+  const vec_float4 scaled = sm_fscale(quotient, exponent_a - exponent_b);
   const vec_uint4 signs = sm_fsign(a) ^ sm_fsign(b);
 #ifdef __SPU__
   const vec_float4 result = sm_fsigned(scaled, signs & ~sm_fis_zero(scaled));
@@ -87,9 +87,8 @@ static inline vec_float4 _sqrtf4_fast(vec_float4 x) { return sm_froot(x); }
 
 /* x = part * 4^exponent, part from 1 to below 4, for positive normal x. */
 SM_INLINE vec_float4 sm_fsplit_even(vec_float4 x, vec_int4* exponent) {
-  vec_int4 power, whole;
-  const vec_float4 part = sm_fsplit(sm_fnormal(x, &power), &whole);
-  whole += power;
+  vec_int4 whole;
+  const vec_float4 part = sm_fsplit(x, &whole);
   *exponent = whole >> 1;
   return (vec_float4)((vec_uint4)part + (((vec_uint4)whole & SM_U4(1)) << 23));
 }
@@ -125,10 +124,10 @@ static inline vec_float4 _rsqrtf4(vec_float4 x) {
 }
 
 static inline vec_float4 _cbrtf4(vec_float4 x) {
-  vec_int4 power, exponent;
-  const vec_float4 part = sm_fsplit(sm_fnormal(sm_fabs(x), &power), &exponent);
+  vec_int4 exponent;
+  const vec_float4 part = sm_fsplit(sm_fabs(x), &exponent);
   /* The exponent, made positive, by 3: times 21846 / 65536 is exact in this range. */
-  const vec_int4 positive = exponent + power + SM_I4(600);
+  const vec_int4 positive = exponent + SM_I4(600);
   const vec_int4 third = (positive * SM_I4(21846)) >> 16;
   const vec_int4 rest = positive - third * SM_I4(3);
   const vec_float4 whole = (vec_float4)((vec_uint4)part + ((vec_uint4)rest << 23));
@@ -149,16 +148,16 @@ static inline vec_float4 _cbrtf4(vec_float4 x) {
 }
 
 static inline vec_float4 _hypotf4(vec_float4 x, vec_float4 y) {
-  vec_int4 power, exponent, ignored, exponent_b;
+  vec_int4 exponent, exponent_b;
   const vec_uint4 y_is_larger = sm_igt(sm_fbits(y), sm_fbits(x));
   const vec_float4 larger = sm_fabs(sm_fsel(x, y, y_is_larger));
   const vec_float4 smaller = sm_fabs(sm_fsel(y, x, y_is_larger));
-  const vec_float4 a = sm_fsplit(sm_fnormal(larger, &power), &exponent);
-  const vec_float4 part_b = sm_fsplit(sm_fnormal(smaller, &ignored), &exponent_b);
-  const vec_int4 distance = exponent_b + ignored - exponent - power;
+  const vec_float4 a = sm_fsplit(larger, &exponent);
+  const vec_float4 part_b = sm_fsplit(smaller, &exponent_b);
+  const vec_int4 distance = exponent_b - exponent;
   const vec_float4 b =
       (vec_float4)((vec_uint4)sm_fscale(part_b, sm_ilimit(distance, SM_I4(-100), SM_I4(0))) & ~sm_fis_zero(smaller));
-  const vec_float4 result = sm_fscale(sm_froot_exact(sm_fmadd(a, a, sm_fmul(b, b))), exponent + power);
+  const vec_float4 result = sm_fscale(sm_froot_exact(sm_fmadd(a, a, sm_fmul(b, b))), exponent);
 #ifdef __SPU__
   return (vec_float4)((vec_uint4)result & ~sm_fis_zero(larger));
 #else

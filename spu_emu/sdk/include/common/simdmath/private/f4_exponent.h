@@ -6,11 +6,9 @@
 
 /* x = result * 2^exponent, the result's magnitude from 1/2 to below 1. */
 static inline vec_float4 _frexpf4(vec_float4 x, vec_int4* exponent) {
-  vec_int4 power;
-  const vec_float4 normal = sm_fnormal(x, &power);
   const vec_uint4 as_it_is = sm_fis_zero(x) | sm_fis_special(x);
-  const vec_int4 found = sm_fexponent(normal) - SM_I4(126) + power;
-  const vec_uint4 bits = ((vec_uint4)normal & ~SM_F_EXPONENT) | SM_U4(0x3f000000u);
+  const vec_int4 found = sm_fexponent(x) - SM_I4(126);
+  const vec_uint4 bits = ((vec_uint4)x & ~SM_F_EXPONENT) | SM_U4(0x3f000000u);
   *exponent = (vec_int4)((vec_uint4)found & ~as_it_is);
 #ifdef __SPU__
   return (vec_float4)(bits & ~as_it_is);
@@ -29,37 +27,24 @@ static inline vec_float4 _scalbnf4(vec_float4 x, vec_int4 power) { return _ldexp
 
 /* The exponent; of zero INT_MIN, on the PPU of infinities and NaNs INT_MAX. */
 static inline vec_int4 _ilogbf4(vec_float4 x) {
-  vec_int4 power;
-  const vec_float4 normal = sm_fnormal(x, &power);
-  const vec_int4 exponent = sm_fexponent(normal) - SM_I4(127) + power;
+  const vec_int4 exponent = sm_fexponent(x) - SM_I4(127);
   const vec_uint4 known = sm_usel((vec_uint4)exponent, SM_U4(0x80000000u), sm_fis_zero(x));
   return (vec_int4)sm_usel(known, SM_U4(0x7fffffffu), sm_fis_special(x));
 }
 static inline vec_float4 _logbf4(vec_float4 x) {
-  vec_int4 power;
-  const vec_float4 normal = sm_fnormal(x, &power);
-  const vec_float4 exponent = sm_itof(sm_fexponent(normal) - SM_I4(127) + power);
+  const vec_float4 exponent = sm_itof(sm_fexponent(x) - SM_I4(127));
   const vec_float4 known = sm_fsel(exponent, (vec_float4)(SM_F_HUGE | SM_F_SIGN), sm_fis_zero(x));
   return sm_fkeep_nan(sm_fsel(known, (vec_float4)SM_F_HUGE, sm_fis_special(x)), x);
 }
 
-/* The next number toward y. On the SPU the next one of zero is the smallest normal number. */
+/* The next number toward y. The next one of zero is the smallest normal number. */
 static inline vec_float4 _nextafterf4(vec_float4 x, vec_float4 y) {
-#ifdef __SPU__
-  const vec_uint4 smallest = SM_U4(0x00800000u);
-#else
-  const vec_uint4 smallest = SM_U4(0x00000001u);
-#endif
   const vec_uint4 zero = sm_fis_zero(x);
   const vec_uint4 up = sm_fgt(y, x);
   const vec_uint4 grows = ~(up ^ ~(vec_uint4)((vec_int4)x >> 31));
   const vec_uint4 step = sm_usel((vec_uint4)x - SM_U4(1), (vec_uint4)x + SM_U4(1), grows);
-#ifdef __SPU__
   const vec_uint4 normal = step & ~sm_ueq(step & SM_F_EXPONENT, SM_U4(0));
-#else
-  const vec_uint4 normal = step;
-#endif
-  const vec_uint4 from_zero = smallest | (~up & SM_F_SIGN);
+  const vec_uint4 from_zero = SM_U4(0x00800000u) | (~up & SM_F_SIGN);
   const vec_float4 next = (vec_float4)sm_usel(normal, from_zero, zero);
   return sm_fkeep_nan(sm_fkeep_nan(sm_fsel(next, y, sm_feq(x, y)), x), y);
 }

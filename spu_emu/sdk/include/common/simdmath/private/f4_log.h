@@ -6,10 +6,10 @@
 
 /* x = (1 + result) * 2^exponent with the result from sqrt(1/2) - 1 to sqrt(2) - 1, for positive x. */
 SM_INLINE vec_float4 sm_flog_parts(vec_float4 x, vec_int4* exponent) {
-  vec_int4 power, whole;
-  const vec_float4 part = sm_fsplit(sm_fnormal(x, &power), &whole);
+  vec_int4 whole;
+  const vec_float4 part = sm_fsplit(x, &whole);
   const vec_uint4 above = sm_igt((vec_int4)part, SM_I4(0x3fb504f3));
-  *exponent = whole + power - (vec_int4)above;
+  *exponent = whole - (vec_int4)above;
   return sm_fsub((vec_float4)((vec_uint4)part - (above & SM_U4(1u << 23))), SM_F4(1.0f));
 }
 

@@ -66,10 +66,10 @@ static inline vec_float4 _powf4(vec_float4 x, vec_float4 y) {
 #ifndef __SPU__
   const vec_uint4 infinite = sm_ueq((vec_uint4)sm_fabs(x), SM_F_HUGE);
   result = sm_fsel(result, (vec_float4)sm_usel(SM_F_HUGE, SM_U4(0), y_is_negative), infinite);
-  of_zero |= sm_fsign(x) & odd;
 #endif
+  of_zero |= sm_fsign(x) & odd;
   result = (vec_float4)((vec_uint4)result | (SM_F_SIGN & odd & negative & ~sm_fis_zero(result)));
-  result = sm_fsel(result, (vec_float4)SM_F_NOTHING, negative & ~whole);
+  result = sm_fsel(result, (vec_float4)SM_F_NOTHING, negative & ~(whole | sm_fis_special(x)));
   result = sm_fsel(result, (vec_float4)of_zero, x_is_zero);
   result = sm_fkeep_nan(sm_fkeep_nan(result, x), y);
   return sm_fsel(result, SM_F4(1.0f), sm_fis_zero(y) | x_is_one);

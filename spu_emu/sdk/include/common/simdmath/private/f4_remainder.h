@@ -14,18 +14,15 @@ typedef struct sm_fdivision {
 } sm_fdivision;
 
 SM_INLINE sm_fdivision sm_flong_division(vec_float4 x, vec_float4 y) {
-  vec_int4 power_x, power_y;
-  const vec_float4 normal_x = sm_fnormal(x, &power_x);
-  const vec_float4 normal_y = sm_fnormal(y, &power_y);
-  const vec_int4 exponent_x = sm_fexponent(normal_x) + power_x;
-  const vec_int4 exponent_y = sm_fexponent(normal_y) + power_y;
+  const vec_int4 exponent_x = sm_fexponent(x);
+  const vec_int4 exponent_y = sm_fexponent(y);
   const vec_uint4 closer = sm_igt(exponent_y, exponent_x);
   const vec_uint4 hidden = SM_U4(0x800000u);
   vec_int4 steps = exponent_x - exponent_y;
   sm_fdivision d;
   d.quotient = SM_U4(0);
-  d.rest = ((vec_uint4)normal_x & SM_F_FRACTION) | hidden;
-  d.divisor = ((vec_uint4)normal_y & SM_F_FRACTION) | hidden;
+  d.rest = ((vec_uint4)x & SM_F_FRACTION) | hidden;
+  d.divisor = ((vec_uint4)y & SM_F_FRACTION) | hidden;
   /* An x with the smaller exponent is the rest itself, with its own exponent; from two less it is below half of y. */
   d.exponent = (vec_int4)sm_usel((vec_uint4)exponent_y, (vec_uint4)exponent_x, closer);
   d.divisor = sm_usel(d.divisor, sm_usel(SM_U4(0x7fffffffu), d.divisor << 1, sm_igt(steps, SM_I4(-2))), closer);

@@ -79,14 +79,8 @@ SM_INLINE vec_float4 sm_fsigned(vec_float4 magnitude, vec_uint4 signs) {
 SM_INLINE vec_int4 sm_fexponent(vec_float4 x) { return (vec_int4)(((vec_uint4)x & SM_F_EXPONENT) >> 23); }
 /* Compares of magnitudes as integers, which order all of them. */
 SM_INLINE vec_int4 sm_fbits(vec_float4 x) { return (vec_int4)((vec_uint4)x & SM_F_MAGNITUDE); }
-/* On the SPU every number with exponent 0 is zero. */
-SM_INLINE vec_uint4 sm_fis_zero(vec_float4 x) {
-#ifdef __SPU__
-  return sm_ueq((vec_uint4)x & SM_F_EXPONENT, SM_U4(0));
-#else
-  return sm_ueq((vec_uint4)x & SM_F_MAGNITUDE, SM_U4(0));
-#endif
-}
+/* Every number with exponent 0 is zero: to the SPU, and to AltiVec as Linux sets it. */
+SM_INLINE vec_uint4 sm_fis_zero(vec_float4 x) { return sm_ueq((vec_uint4)x & SM_F_EXPONENT, SM_U4(0)); }
 
 /* All ones for a NaN, and for an infinity or NaN; the SPU has neither. */
 SM_INLINE vec_uint4 sm_fis_nan(vec_float4 x) {
@@ -110,18 +104,6 @@ SM_INLINE vec_float4 sm_fkeep_nan(vec_float4 result, vec_float4 x) {
   return result;
 #else
   return sm_fsel(result, sm_fadd(x, x), sm_fis_nan(x));
-#endif
-}
-
-/* A denormal number of the PPU made normal, and by how many powers of two that is to be taken back. */
-SM_INLINE vec_float4 sm_fnormal(vec_float4 x, vec_int4* power) {
-#ifdef __SPU__
-  *power = SM_I4(0);
-  return x;
-#else
-  const vec_uint4 denormal = sm_igt(SM_I4(0x00800000), sm_fbits(x));
-  *power = (vec_int4)(denormal & SM_U4((unsigned int)-24));
-  return sm_fsel(x, sm_fmul(x, SM_F4(0x1p24f)), denormal);
 #endif
 }
 
