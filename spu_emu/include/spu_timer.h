@@ -1,6 +1,6 @@
-/* The SPU's clock: a time that goes on since spu_clock_start, in ticks of the decrementer (spu_timebase of them a
- * second). Between two reads may lie one turn of the decrementer, 53 seconds. Its timers, which interrupt the program,
- * are for real SPU code only: the compiler of spu_emu/toolchain has them. */
+/* The SPU's clock: a time that goes on since spu_clock_start, in ticks of the decrementer (spu_timebase of
+ * them a second). Between two reads may lie one turn of the decrementer, 53 seconds. Its timers, which
+ * interrupt the program, are for real SPU code only: the compiler of spu_emu/toolchain has them. */
 #ifndef SPU_EMU_SPU_TIMER_H
 #define SPU_EMU_SPU_TIMER_H
 
@@ -47,6 +47,8 @@ static inline int spu_clock_stop(void) {
 }
 
 /* As this emulation has it unless its settings say otherwise, and as on the PlayStation 3. */
-static inline unsigned int spu_timebase(void) { return 79800000u; }
+static inline unsigned int spu_timebase(void) {
+  return 79800000u;
+}
 
 #endif

@@ -1,4 +1,5 @@
-// Every header of the SDK's libraries in one program; the exit code is the number of the first check that fails.
+// Every header of the SDK's libraries in one program; the exit code is the number of the first check that
+// fails.
 #include <cbe_mfc.h>
 #include <libmisc.h>
 #include <libsync.h>
@@ -37,7 +38,8 @@ void check_memory() {
 void check_vectors() {
   const vec_float4 values = VEC_LITERAL(vec_float4, -2.0f, 0.5f, 3.0f, 7.0f);
   check(spu_extract(clamp_0_to_1_v(values), 0) == 0.0f && spu_extract(clamp_0_to_1_v(values), 3) == 1.0f);
-  check(spu_extract(clamp_minus1_to_1_v(values), 0) == -1.0f && spu_extract(clamp_minus1_to_1_v(values), 1) == 0.5f);
+  check(spu_extract(clamp_minus1_to_1_v(values), 0) == -1.0f &&
+        spu_extract(clamp_minus1_to_1_v(values), 1) == 0.5f);
   check(max_vec_float4(values) == 7.0f && max_vec_float3(values) == 3.0f && min_vec_float4(values) == -2.0f);
   check(spu_extract(max_float_v(values, VEC_SPLAT_F32(1.0f)), 1) == 1.0f);
   check(spu_extract(min_int_v(VEC_SPLAT_S32(-4), VEC_SPLAT_S32(4)), 2) == -4);

@@ -31,7 +31,8 @@ int run(spe_program_handle_t* program, void* argument) {
   spe_stop_info_t stop{};
   unsigned entry = SPE_DEFAULT_ENTRY;
   const bool ran = spe != nullptr && spe_program_load(spe, program) == 0 &&
-                   spe_context_run(spe, &entry, 0, argument, nullptr, &stop) == 0 && stop.stop_reason == SPE_EXIT;
+                   spe_context_run(spe, &entry, 0, argument, nullptr, &stop) == 0 &&
+                   stop.stop_reason == SPE_EXIT;
   EXPECT_TRUE(ran) << (spe != nullptr ? spu_emu::last_fault(spe) : "");
   if (spe != nullptr) spe_context_destroy(spe);
   return ran ? stop.result.spe_exit_code : -1;

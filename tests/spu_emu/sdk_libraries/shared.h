@@ -1,5 +1,5 @@
-// What SPU programs and host of the tests of the SDK's libraries share in main memory; 32-bit words only, each word of
-// libsync in a line of its own.
+// What SPU programs and host of the tests of the SDK's libraries share in main memory; 32-bit words only,
+// each word of libsync in a line of its own.
 #pragma once
 
 struct SharedWord {

@@ -33,15 +33,27 @@ class Sampler {
     const Bits mask = (Bits{1} << shift) - 1;
     Bits fraction = random_() & mask;
     switch (random_() % 8) {
-      case 0: fraction = 0; break;
-      case 1: fraction = mask; break;
-      case 2: fraction &= random_() % 16; break;
-      case 3: fraction |= mask & ~(random_() % 16); break;
-      case 4: fraction &= ~Bits{0} << (random_() % shift); break;
-      default: break;
+      case 0:
+        fraction = 0;
+        break;
+      case 1:
+        fraction = mask;
+        break;
+      case 2:
+        fraction &= random_() % 16;
+        break;
+      case 3:
+        fraction |= mask & ~(random_() % 16);
+        break;
+      case 4:
+        fraction &= ~Bits{0} << (random_() % shift);
+        break;
+      default:
+        break;
     }
     const Bits sign = random_() % 2;
-    return sign << (shift + static_cast<unsigned>(format_.exponent_bits)) | static_cast<Bits>(exponent) << shift | fraction;
+    return sign << (shift + static_cast<unsigned>(format_.exponent_bits)) |
+           static_cast<Bits>(exponent) << shift | fraction;
   }
 
   /// An exponent whose power of the first argument is within the range, more often than not.
@@ -58,15 +70,19 @@ class Sampler {
     arguments[0] = with_exponent(exponent);
     for (int i = 1; i < reference_.arguments; ++i) {
       int other = static_cast<int>(random_() % static_cast<unsigned>(largest + 1));
-      if (random_() % 2 == 0) other = std::clamp(exponent + static_cast<int>(random_() % 40) - 20, 0, largest);
-      if (reference_.name == "pow" && random_() % 4 != 0) other = std::clamp(exponent_of_power(exponent), 0, largest);
+      if (random_() % 2 == 0)
+        other = std::clamp(exponent + static_cast<int>(random_() % 40) - 20, 0, largest);
+      if (reference_.name == "pow" && random_() % 4 != 0)
+        other = std::clamp(exponent_of_power(exponent), 0, largest);
       arguments[static_cast<std::size_t>(i)] = with_exponent(other);
     }
     if (reference_.name == "pow" && random_() % 2 == 0) arguments[0] &= ~(Bits{1} << sign_bit());
     samples_.push_back(arguments);
   }
 
-  [[nodiscard]] unsigned sign_bit() const { return static_cast<unsigned>(format_.fraction_bits + format_.exponent_bits); }
+  [[nodiscard]] unsigned sign_bit() const {
+    return static_cast<unsigned>(format_.fraction_bits + format_.exponent_bits);
+  }
 
   const Reference& reference_;
   const Format& format_;

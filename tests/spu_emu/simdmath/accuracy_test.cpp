@@ -45,7 +45,8 @@ std::vector<Case> cases(const std::vector<std::string>& endings) {
   for (const Reference& reference : references()) {
     for (const std::string& ending : endings) {
       const std::string function = reference.name + ending;
-      if (std::find(names.begin(), names.end(), function) != names.end()) result.push_back({reference, function});
+      if (std::find(names.begin(), names.end(), function) != names.end())
+        result.push_back({reference, function});
     }
   }
   return result;

@@ -1,5 +1,5 @@
-// Every function of the SIMD math library by its number, on registers as four words, the leftmost first: the same for
-// the host engine, the real SPU and the PPU.
+// Every function of the SIMD math library by its number, on registers as four words, the leftmost first: the
+// same for the host engine, the real SPU and the PPU.
 #pragma once
 
 #include <simdmath.h>
@@ -59,35 +59,37 @@ constexpr unsigned kResults = 2;
 // Reads kArguments registers and writes kResults; what a function does not return stays as it was.
 using Evaluator = void (*)(const Register* in, Register* out);
 
-#define SM_1(header, result, name, A) \
-  void evaluate_##name(const Register* in, Register* out) { store(name(load<A>(in[0])), out); }
-#define SM_2(header, result, name, A, B)                           \
+#define SM_1(header, result, name, A)                       \
   void evaluate_##name(const Register* in, Register* out) { \
-    store(name(load<A>(in[0]), load<B>(in[1])), out);              \
+    store(name(load<A>(in[0])), out);                       \
   }
-#define SM_3(header, result, name, A, B, C)                            \
-  void evaluate_##name(const Register* in, Register* out) {     \
+#define SM_2(header, result, name, A, B)                    \
+  void evaluate_##name(const Register* in, Register* out) { \
+    store(name(load<A>(in[0]), load<B>(in[1])), out);       \
+  }
+#define SM_3(header, result, name, A, B, C)                           \
+  void evaluate_##name(const Register* in, Register* out) {           \
     store(name(load<A>(in[0]), load<B>(in[1]), load<C>(in[2])), out); \
   }
-#define SM_1P(header, result, name, A, P)                          \
+#define SM_1P(header, result, name, A, P)                   \
   void evaluate_##name(const Register* in, Register* out) { \
-    P second;                                                      \
-    store(name(load<A>(in[0]), &second), out);                     \
-    store(second, out + 1);                                        \
+    P second;                                               \
+    store(name(load<A>(in[0]), &second), out);              \
+    store(second, out + 1);                                 \
   }
-#define SM_2P(header, result, name, A, B, P)                       \
-  void evaluate_##name(const Register* in, Register* out) { \
-    P second;                                                      \
-    store(name(load<A>(in[0]), load<B>(in[1]), &second), out);     \
-    store(second, out + 1);                                        \
+#define SM_2P(header, result, name, A, B, P)                   \
+  void evaluate_##name(const Register* in, Register* out) {    \
+    P second;                                                  \
+    store(name(load<A>(in[0]), load<B>(in[1]), &second), out); \
+    store(second, out + 1);                                    \
   }
-#define SM_PP(header, name, A)                                     \
+#define SM_PP(header, name, A)                              \
   void evaluate_##name(const Register* in, Register* out) { \
-    A first;                                                       \
-    A second;                                                      \
-    name(load<A>(in[0]), &first, &second);                         \
-    store(first, out);                                             \
-    store(second, out + 1);                                        \
+    A first;                                                \
+    A second;                                               \
+    name(load<A>(in[0]), &first, &second);                  \
+    store(first, out);                                      \
+    store(second, out + 1);                                 \
   }
 #include <simdmath/functions.def>
 #undef SM_1

@@ -26,8 +26,8 @@ Words floats(float a, float b, float c, float d) {
 Words longs(std::int64_t a, std::int64_t b) {
   const auto x = static_cast<std::uint64_t>(a);
   const auto y = static_cast<std::uint64_t>(b);
-  return {static_cast<std::uint32_t>(x >> 32U), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y >> 32U),
-          static_cast<std::uint32_t>(y)};
+  return {static_cast<std::uint32_t>(x >> 32U), static_cast<std::uint32_t>(x),
+          static_cast<std::uint32_t>(y >> 32U), static_cast<std::uint32_t>(y)};
 }
 
 TEST(SimdMath, IntegersAreDividedAsTheCompilerDividesThem) {
@@ -47,7 +47,8 @@ TEST(SimdMath, IntegersAreDividedAsTheCompilerDividesThem) {
       const std::int64_t x = static_cast<std::int32_t>(a[lane]);
       const std::int64_t y = static_cast<std::int32_t>(b[lane]);
       ASSERT_EQ(of_unsigned[0][lane], b[lane] == 0 ? 0 : a[lane] / b[lane]) << a[lane] << " / " << b[lane];
-      ASSERT_EQ(of_unsigned[1][lane], b[lane] == 0 ? a[lane] : a[lane] % b[lane]) << a[lane] << " / " << b[lane];
+      ASSERT_EQ(of_unsigned[1][lane], b[lane] == 0 ? a[lane] : a[lane] % b[lane])
+          << a[lane] << " / " << b[lane];
       ASSERT_EQ(of_signed[0][lane], static_cast<std::uint32_t>(y == 0 ? 0 : x / y)) << x << " / " << y;
       ASSERT_EQ(of_signed[1][lane], static_cast<std::uint32_t>(y == 0 ? x : x % y)) << x << " / " << y;
     }
@@ -55,7 +56,8 @@ TEST(SimdMath, IntegersAreDividedAsTheCompilerDividesThem) {
 }
 
 TEST(SimdMath, LongIntegersAreDividedAsTheCompilerDividesThem) {
-  const std::int64_t values[] = {0, 1, -1, 7, -7, 1000000007, INT64_MAX, INT64_MIN, INT64_MIN + 1, 0x123456789abcdef};
+  const std::int64_t values[] = {
+      0, 1, -1, 7, -7, 1000000007, INT64_MAX, INT64_MIN, INT64_MIN + 1, 0x123456789abcdef};
   for (const std::int64_t x : values) {
     for (const std::int64_t y : values) {
       const bool overflows = x == INT64_MIN && y == -1;
@@ -100,7 +102,8 @@ TEST(SimdMath, ScalingEndsAtTheLargestNumberAndAtZero) {
 TEST(SimdMath, ExponentsAreThoseOfTheNumbers) {
   EXPECT_EQ(call("ilogbf4", {bits(1), bits(-0.75F), 0x7fffffff, 0})[0],
             (Words{0, static_cast<std::uint32_t>(-1), 128, 0x80000000}));
-  EXPECT_EQ(call("logbf4", {bits(8), bits(-0.75F), 0x7fffffff, 0})[0], (Words{bits(3), bits(-1), bits(128), 0xffffffff}));
+  EXPECT_EQ(call("logbf4", {bits(8), bits(-0.75F), 0x7fffffff, 0})[0],
+            (Words{bits(3), bits(-1), bits(128), 0xffffffff}));
 }
 
 TEST(SimdMath, TheNextNumberIsTheNeighbour) {
@@ -173,12 +176,14 @@ TEST(SimdMath, FastFunctionsAreRightToTheLastBitOrTwo) {
     near("sqrtf4_fast", std::sqrt(static_cast<double>(x)));
     near("floorf4_fast", std::floor(x));
     near("ceilf4_fast", std::ceil(x));
-    ASSERT_EQ(call("fmodf4_fast", floats(x, x, x, x), floats(y, y, y, y))[0][0], bits(std::fmod(x, y))) << x << ", " << y;
+    ASSERT_EQ(call("fmodf4_fast", floats(x, x, x, x), floats(y, y, y, y))[0][0], bits(std::fmod(x, y)))
+        << x << ", " << y;
   }
 }
 
 TEST(SimdMath, MagnitudesOfIntegersWrapAround) {
-  EXPECT_EQ(call("absi4", {1, static_cast<std::uint32_t>(-1), 0x80000000, 0})[0], (Words{1, 1, 0x80000000, 0}));
+  EXPECT_EQ(call("absi4", {1, static_cast<std::uint32_t>(-1), 0x80000000, 0})[0],
+            (Words{1, 1, 0x80000000, 0}));
   EXPECT_EQ(call("negatei4", {1, static_cast<std::uint32_t>(-1), 0x80000000, 0})[0],
             (Words{static_cast<std::uint32_t>(-1), 1, 0x80000000, 0}));
 }

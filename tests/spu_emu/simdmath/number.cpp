@@ -43,11 +43,12 @@ void set_to(Number& number, const Format& f, std::uint64_t bits) {
   if (kind_of(f, bits) == Kind::infinite) {
     mpfr_set_inf(number, 1);
   } else if (exponent == 0) {
-    mpfr_set_ui_2exp(number, f.has_denormals ? fraction_of(f, bits) : 0, smallest(f) - f.fraction_bits, MPFR_RNDN);
+    mpfr_set_ui_2exp(number, f.has_denormals ? fraction_of(f, bits) : 0, smallest(f) - f.fraction_bits,
+                     MPFR_RNDN);
   } else {
     const std::uint64_t hidden = std::uint64_t{1} << static_cast<unsigned>(f.fraction_bits);
-    mpfr_set_ui_2exp(number, hidden | fraction_of(f, bits), static_cast<long>(exponent) - f.bias() - f.fraction_bits,
-                     MPFR_RNDN);
+    mpfr_set_ui_2exp(number, hidden | fraction_of(f, bits),
+                     static_cast<long>(exponent) - f.bias() - f.fraction_bits, MPFR_RNDN);
   }
   mpfr_setsign(number, number, is_negative(f, bits) ? 1 : 0, MPFR_RNDN);
 }
@@ -62,8 +63,10 @@ double error_of(const Format& f, std::uint64_t result, const Number& exact) {
   if (kind == Kind::none) return kWrong;
   Number value;
   set_to(value, f, result);
-  const bool is_largest = kind == Kind::infinite || (!f.has_infinity && (result & 0x7fffffffU) == 0x7fffffffU);
-  const bool too_large = mpfr_inf_p(exact) != 0 || (mpfr_zero_p(exact) == 0 && mpfr_get_exp(exact) - 1 > largest(f));
+  const bool is_largest =
+      kind == Kind::infinite || (!f.has_infinity && (result & 0x7fffffffU) == 0x7fffffffU);
+  const bool too_large =
+      mpfr_inf_p(exact) != 0 || (mpfr_zero_p(exact) == 0 && mpfr_get_exp(exact) - 1 > largest(f));
   if (too_large && is_largest) return mpfr_signbit(value) == mpfr_signbit(exact) ? 0 : kWrong;
   if (mpfr_inf_p(exact) != 0) return kWrong;
   if (kind == Kind::infinite) {
@@ -76,7 +79,8 @@ double error_of(const Format& f, std::uint64_t result, const Number& exact) {
   if (!f.takes_denormals && mpfr_zero_p(exact) != 0 && exponent_of(f, result) == 0) return 0;
   const bool too_small = mpfr_zero_p(exact) == 0 && mpfr_get_exp(exact) - 1 < smallest(f);
   if (too_small && !f.has_denormals && mpfr_zero_p(value) != 0) return 0;
-  const long exponent = mpfr_zero_p(exact) != 0 ? smallest(f) : std::max<long>(mpfr_get_exp(exact) - 1, smallest(f));
+  const long exponent =
+      mpfr_zero_p(exact) != 0 ? smallest(f) : std::max<long>(mpfr_get_exp(exact) - 1, smallest(f));
   mpfr_sub(value, value, exact, MPFR_RNDN);
   mpfr_mul_2si(value, value, f.fraction_bits - exponent, MPFR_RNDN);
   return std::fabs(mpfr_get_d(value, MPFR_RNDN));

@@ -21,8 +21,9 @@ class Number {
   mpfr_t value_;
 };
 
-/// What a number of so many bits is: the SPU's floats have no infinity, no NaN and no denormals, those of the PPU's vectors
-/// no denormals as Linux sets them; to the SPU's doubles a denormal operand is zero, results may be denormal.
+/// What a number of so many bits is: the SPU's floats have no infinity, no NaN and no denormals, those of the
+/// PPU's vectors no denormals as Linux sets them; to the SPU's doubles a denormal operand is zero, results
+/// may be denormal.
 struct Format {
   int fraction_bits;
   int exponent_bits;
@@ -31,7 +32,9 @@ struct Format {
   bool takes_denormals;
 
   [[nodiscard]] int bias() const { return (1 << (exponent_bits - 1)) - 1; }
-  [[nodiscard]] std::uint64_t largest_exponent() const { return (1U << static_cast<unsigned>(exponent_bits)) - 1; }
+  [[nodiscard]] std::uint64_t largest_exponent() const {
+    return (1U << static_cast<unsigned>(exponent_bits)) - 1;
+  }
 };
 
 constexpr Format kSpuFloat{23, 8, false, false, false};
@@ -46,8 +49,9 @@ std::uint64_t as_operand(const Format& format, std::uint64_t bits);
 /// Of a number, or of an infinity.
 void set_to(Number& number, const Format& format, std::uint64_t bits);
 
-/// How far a result is from the exact one, in units of the last place of the exact one. Zero for what is too large or too
-/// small and has become what the format has for that; infinite for what is another kind of thing.
+/// How far a result is from the exact one, in units of the last place of the exact one. Zero for what is too
+/// large or too small and has become what the format has for that; infinite for what is another kind of
+/// thing.
 double error_of(const Format& format, std::uint64_t result, const Number& exact);
 
 }  // namespace simdmath_test

@@ -71,7 +71,8 @@ std::vector<Result> read_results(const std::string& name, std::size_t count) {
 
 }  // namespace
 
-std::vector<Result> evaluate_on_ppu(const std::string& command, unsigned function, const std::vector<Call>& calls) {
+std::vector<Result> evaluate_on_ppu(const std::string& command, unsigned function,
+                                    const std::vector<Call>& calls) {
   const TemporaryFile request;
   const TemporaryFile answer;
   write_request(request.name(), function, calls);

@@ -6,6 +6,7 @@
 namespace simdmath_test {
 
 /// `command` runs the program, as in "qemu-ppc64 program". Functions that the SPU alone has are not there.
-std::vector<Result> evaluate_on_ppu(const std::string& command, unsigned function, const std::vector<Call>& calls);
+std::vector<Result> evaluate_on_ppu(const std::string& command, unsigned function,
+                                    const std::vector<Call>& calls);
 
 }  // namespace simdmath_test

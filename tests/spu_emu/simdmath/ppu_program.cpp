@@ -1,5 +1,5 @@
-// Evaluates functions of the SIMD math library on a PPU: reads the number of a function and of calls, then their arguments,
-// and writes their results, all in this processor's byte order.
+// Evaluates functions of the SIMD math library on a PPU: reads the number of a function and of calls, then
+// their arguments, and writes their results, all in this processor's byte order.
 #include "simdmath/evaluate.h"
 
 #include <cstdio>

@@ -17,10 +17,14 @@ using namespace simdmath_test;
 std::uint32_t any_word(std::mt19937& random) {
   const std::uint32_t word = random();
   switch (random() % 6) {
-    case 0: return word & 0xfffU;
-    case 1: return (word & 0x807fffffU) | (120U + random() % 16U) << 23U;
-    case 2: return word & 0xff800000U;
-    default: return word;
+    case 0:
+      return word & 0xfffU;
+    case 1:
+      return (word & 0x807fffffU) | (120U + random() % 16U) << 23U;
+    case 2:
+      return word & 0xff800000U;
+    default:
+      return word;
   }
 }
 
@@ -51,12 +55,13 @@ bool has_exponent(std::uint32_t word, std::uint32_t least, std::uint32_t most) {
   return exponent >= least && exponent <= most;
 }
 
-/// What the host engine's fast build leaves open, for functions that are single instructions or say that they are not for
-/// all numbers: exponent 255, the sign of zero, and arguments far from 1.
+/// What the host engine's fast build leaves open, for functions that are single instructions or say that they
+/// are not for all numbers: exponent 255, the sign of zero, and arguments far from 1.
 bool is_left_open(const std::string& function, const Call& call, const Result& real, std::size_t lane) {
   if (function == "fmaf4" || function == "fdimf4") {
-    return has_exponent(real[0][lane], 255, 255) || has_exponent(real[0][lane], 0, 0) || has_exponent(call[0][lane], 255, 255) ||
-           has_exponent(call[1][lane], 255, 255) || has_exponent(call[2][lane], 255, 255);
+    return has_exponent(real[0][lane], 255, 255) || has_exponent(real[0][lane], 0, 0) ||
+           has_exponent(call[0][lane], 255, 255) || has_exponent(call[1][lane], 255, 255) ||
+           has_exponent(call[2][lane], 255, 255);
   }
   if (function.find("_fast") == std::string::npos) return false;
   return !has_exponent(call[0][lane], 64, 190) || !has_exponent(call[1][lane], 64, 190);
@@ -71,18 +76,19 @@ TEST_P(SameBits, TheHostEngineHasTheBitsOfRealSpuCode) {
   const std::vector<Result> precise = evaluate_precisely_on_host(function, calls);
   const std::vector<Result> engine = evaluate_on_spe(simdmath_program, function, calls);
   for (std::size_t i = 0; i < calls.size(); ++i) {
-    ASSERT_EQ(precise[i], real[i]) << "precise host build: " << text(precise[i][0]) << " and " << text(precise[i][1])
-                                   << "\nreal SPU code: " << text(real[i][0]) << " and " << text(real[i][1]) << "\nof "
-                                   << text(calls[i][0]) << "\n   " << text(calls[i][1]) << "\n   " << text(calls[i][2]);
+    ASSERT_EQ(precise[i], real[i]) << "precise host build: " << text(precise[i][0]) << " and "
+                                   << text(precise[i][1]) << "\nreal SPU code: " << text(real[i][0])
+                                   << " and " << text(real[i][1]) << "\nof " << text(calls[i][0]) << "\n   "
+                                   << text(calls[i][1]) << "\n   " << text(calls[i][2]);
   }
   for (std::size_t i = 0; i < calls.size() * 4; ++i) {
     const Result& host = engine[i / 4];
     const Result& spu = real[i / 4];
     if (is_left_open(GetParam(), calls[i / 4], spu, i % 4)) continue;
     ASSERT_TRUE(host[0][i % 4] == spu[0][i % 4] && host[1][i % 4] == spu[1][i % 4])
-        << "host engine: " << text(host[0]) << " and " << text(host[1]) << "\nreal SPU code: " << text(spu[0]) << " and "
-        << text(spu[1]) << "\nof " << text(calls[i / 4][0]) << "\n   " << text(calls[i / 4][1]) << "\n   "
-        << text(calls[i / 4][2]);
+        << "host engine: " << text(host[0]) << " and " << text(host[1]) << "\nreal SPU code: " << text(spu[0])
+        << " and " << text(spu[1]) << "\nof " << text(calls[i / 4][0]) << "\n   " << text(calls[i / 4][1])
+        << "\n   " << text(calls[i / 4][2]);
   }
 }
 

@@ -36,14 +36,19 @@ std::vector<Result> evaluate_on_spe(spe_program_handle_t& program, unsigned func
   const Memory output = lines(batches * kBatch * sizeof(Result));
   std::memset(input.get(), 0, batches * kBatch * sizeof(Call));
   std::memcpy(input.get(), calls.data(), calls.size() * sizeof(Call));
-  alignas(128) SimdmathJob job{function,          static_cast<unsigned>(batches), high(input.get()), low(input.get()),
-                               high(output.get()), low(output.get()),              {}};
+  alignas(128) SimdmathJob job{function,
+                               static_cast<unsigned>(batches),
+                               high(input.get()),
+                               low(input.get()),
+                               high(output.get()),
+                               low(output.get()),
+                               {}};
   spe_context_ptr_t spe = spe_context_create(0, nullptr);
   spe_stop_info_t stop{};
   unsigned entry = SPE_DEFAULT_ENTRY;
   const bool ran = spe != nullptr && spe_program_load(spe, &program) == 0 &&
-                   spe_context_run(spe, &entry, 0, &job, nullptr, &stop) == 0 && stop.stop_reason == SPE_EXIT &&
-                   stop.result.spe_exit_code == 0;
+                   spe_context_run(spe, &entry, 0, &job, nullptr, &stop) == 0 &&
+                   stop.stop_reason == SPE_EXIT && stop.result.spe_exit_code == 0;
   if (spe != nullptr) spe_context_destroy(spe);
   if (!ran) throw std::runtime_error("the SPU program has other functions or broke a rule");
   std::vector<Result> results(calls.size());

@@ -7,6 +7,7 @@
 
 namespace simdmath_test {
 
-std::vector<Result> evaluate_on_spe(spe_program_handle_t& program, unsigned function, const std::vector<Call>& calls);
+std::vector<Result> evaluate_on_spe(spe_program_handle_t& program, unsigned function,
+                                    const std::vector<Call>& calls);
 
 }  // namespace simdmath_test

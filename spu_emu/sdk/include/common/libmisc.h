@@ -1,8 +1,8 @@
-/* The SDK's library of small things: aligned memory, pseudo-random numbers, limits, unaligned vectors, and on the SPU
- * copies between local stores and main memory. All functions are in headers; -lmisc is not needed.
+/* The SDK's library of small things: aligned memory, pseudo-random numbers, limits, unaligned vectors, and on
+ * the SPU copies between local stores and main memory. All functions are in headers; -lmisc is not needed.
  *
- * Vector functions are there where vectors are: on the SPU, and on the PPU with -maltivec. Memory on huge pages is plain
- * memory with the alignment asked for. */
+ * Vector functions are there where vectors are: on the SPU, and on the PPU with -maltivec. Memory on huge
+ * pages is plain memory with the alignment asked for. */
 #ifndef SPU_EMU_LIBMISC_H
 #define SPU_EMU_LIBMISC_H
 
@@ -20,7 +20,11 @@
 static inline float clamp(float x, float least, float most) {
   return x < least ? least : x > most ? most : x;
 }
-static inline float clamp_0_to_1(float x) { return clamp(x, 0.0f, 1.0f); }
-static inline float clamp_minus1_to_1(float x) { return clamp(x, -1.0f, 1.0f); }
+static inline float clamp_0_to_1(float x) {
+  return clamp(x, 0.0f, 1.0f);
+}
+static inline float clamp_minus1_to_1(float x) {
+  return clamp(x, -1.0f, 1.0f);
+}
 
 #endif

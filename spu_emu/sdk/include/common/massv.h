@@ -1,8 +1,9 @@
-/* Mathematical functions of whole arrays, by the names of the MASS library: vssin(y, x, &n) is y[i] = sin(x[i]) for n
- * floats, by the functions of simdmath.h and with their errors. All functions are in headers; -lmassv is not needed.
+/* Mathematical functions of whole arrays, by the names of the MASS library: vssin(y, x, &n) is y[i] =
+ * sin(x[i]) for n floats, by the functions of simdmath.h and with their errors. All functions are in headers;
+ * -lmassv is not needed.
  *
- * Arrays may have any alignment and length, and y may be x. The names with vs are for floats; those with v alone are for
- * doubles, on the SPU only. */
+ * Arrays may have any alignment and length, and y may be x. The names with vs are for floats; those with v
+ * alone are for doubles, on the SPU only. */
 #ifndef SPU_EMU_MASSV_H
 #define SPU_EMU_MASSV_H
 
@@ -10,7 +11,7 @@
 #include <string.h>
 
 /* Of the last call what there is of elements; the others are 1, which every function takes. */
-#define MASSV_EACH(type, vector_type, lanes, ...)           \
+#define MASSV_EACH(type, vector_type, lanes, ...)                 \
   int i, j;                                                       \
   for (i = 0; i < *n; i += (lanes)) {                             \
     const int part = *n - i < (lanes) ? *n - i : (lanes);         \
@@ -20,25 +21,25 @@
     __VA_ARGS__                                                   \
   }
 
-#define MASSV_FLOATS(name, function)                                       \
-  static inline void name(float* y, const float* x, const int* n) {        \
-    MASSV_EACH(float, vec_float4, 4, {                                     \
-      memcpy(first, x + i, (unsigned int)part * sizeof *x);                \
-      memcpy(&a, first, sizeof a);                                         \
-      b = function(a);                                                     \
-      memcpy(y + i, &b, (unsigned int)part * sizeof *y);                   \
-    })                                                                     \
+#define MASSV_FLOATS(name, function)                                \
+  static inline void name(float* y, const float* x, const int* n) { \
+    MASSV_EACH(float, vec_float4, 4, {                              \
+      memcpy(first, x + i, (unsigned int)part * sizeof *x);         \
+      memcpy(&a, first, sizeof a);                                  \
+      b = function(a);                                              \
+      memcpy(y + i, &b, (unsigned int)part * sizeof *y);            \
+    })                                                              \
   }
-#define MASSV_FLOATS_OF_TWO(name, function)                                           \
-  static inline void name(float* z, const float* x, const float* y, const int* n) {  \
-    MASSV_EACH(float, vec_float4, 4, {                                                \
-      memcpy(first, x + i, (unsigned int)part * sizeof *x);                           \
-      memcpy(second, y + i, (unsigned int)part * sizeof *y);                          \
-      memcpy(&a, first, sizeof a);                                                    \
-      memcpy(&b, second, sizeof b);                                                   \
-      b = function(a, b);                                                             \
-      memcpy(z + i, &b, (unsigned int)part * sizeof *z);                              \
-    })                                                                                \
+#define MASSV_FLOATS_OF_TWO(name, function)                                         \
+  static inline void name(float* z, const float* x, const float* y, const int* n) { \
+    MASSV_EACH(float, vec_float4, 4, {                                              \
+      memcpy(first, x + i, (unsigned int)part * sizeof *x);                         \
+      memcpy(second, y + i, (unsigned int)part * sizeof *y);                        \
+      memcpy(&a, first, sizeof a);                                                  \
+      memcpy(&b, second, sizeof b);                                                 \
+      b = function(a, b);                                                           \
+      memcpy(z + i, &b, (unsigned int)part * sizeof *z);                            \
+    })                                                                              \
   }
 
 MASSV_FLOATS(vsacos, acosf4)
@@ -67,66 +68,50 @@ MASSV_FLOATS_OF_TWO(vsatan2, atan2f4)
 MASSV_FLOATS_OF_TWO(vsdiv, divf4)
 MASSV_FLOATS_OF_TWO(vspow, powf4)
 
-static inline void vssincos(float* s, float* c, const float* x, const int* n) {
-  MASSV_EACH(float, vec_float4, 4, {
-    memcpy(first, x + i, (unsigned int)part * sizeof *x);
-    memcpy(&a, first, sizeof a);
-    sincosf4(a, &a, &b);
-    memcpy(s + i, &a, (unsigned int)part * sizeof *s);
-    memcpy(c + i, &b, (unsigned int)part * sizeof *c);
-  })
-}
-
+static inline void vssincos(float* s, float* c, const float* x,
+                            const int* n){MASSV_EACH(float, vec_float4, 4,
+                                                     {
+                                                       memcpy(first, x + i, (unsigned int)part * sizeof *x);
+                                                       memcpy(&a, first, sizeof a);
+                                                       sincosf4(a, &a, &b);
+                                                       memcpy(s + i, &a, (unsigned int)part * sizeof *s);
+                                                       memcpy(c + i, &b, (unsigned int)part * sizeof *c);
+                                                     })}
 #ifdef __SPU__
 
-#define MASSV_DOUBLES(name, function)                                  \
-  static inline void name(double* y, const double* x, const int* n) {  \
-    MASSV_EACH(double, vec_double2, 2, {                               \
-      memcpy(first, x + i, (unsigned int)part * sizeof *x);            \
-      memcpy(&a, first, sizeof a);                                     \
-      b = function(a);                                                 \
-      memcpy(y + i, &b, (unsigned int)part * sizeof *y);               \
-    })                                                                 \
+#define MASSV_DOUBLES(name, function)                                 \
+  static inline void name(double* y, const double* x, const int* n) { \
+    MASSV_EACH(double, vec_double2, 2, {                              \
+      memcpy(first, x + i, (unsigned int)part * sizeof *x);           \
+      memcpy(&a, first, sizeof a);                                    \
+      b = function(a);                                                \
+      memcpy(y + i, &b, (unsigned int)part * sizeof *y);              \
+    })                                                                \
   }
-#define MASSV_DOUBLES_OF_TWO(name, function)                                             \
-  static inline void name(double* z, const double* x, const double* y, const int* n) {  \
-    MASSV_EACH(double, vec_double2, 2, {                                                 \
-      memcpy(first, x + i, (unsigned int)part * sizeof *x);                              \
-      memcpy(second, y + i, (unsigned int)part * sizeof *y);                             \
-      memcpy(&a, first, sizeof a);                                                       \
-      memcpy(&b, second, sizeof b);                                                      \
-      b = function(a, b);                                                                \
-      memcpy(z + i, &b, (unsigned int)part * sizeof *z);                                 \
-    })                                                                                   \
+#define MASSV_DOUBLES_OF_TWO(name, function)                                           \
+  static inline void name(double* z, const double* x, const double* y, const int* n) { \
+    MASSV_EACH(double, vec_double2, 2, {                                               \
+      memcpy(first, x + i, (unsigned int)part * sizeof *x);                            \
+      memcpy(second, y + i, (unsigned int)part * sizeof *y);                           \
+      memcpy(&a, first, sizeof a);                                                     \
+      memcpy(&b, second, sizeof b);                                                    \
+      b = function(a, b);                                                              \
+      memcpy(z + i, &b, (unsigned int)part * sizeof *z);                               \
+    })                                                                                 \
   }
 
-MASSV_DOUBLES(vacos, acosd2)
-MASSV_DOUBLES(vacosh, acoshd2)
-MASSV_DOUBLES(vasin, asind2)
-MASSV_DOUBLES(vasinh, asinhd2)
-MASSV_DOUBLES(vatanh, atanhd2)
-MASSV_DOUBLES(vcbrt, cbrtd2)
-MASSV_DOUBLES(vcos, cosd2)
-MASSV_DOUBLES(vcosh, coshd2)
-MASSV_DOUBLES(vexp, expd2)
-MASSV_DOUBLES(vexpm1, expm1d2)
-MASSV_DOUBLES(vdint, truncd2)
-MASSV_DOUBLES(vdnint, roundd2)
-MASSV_DOUBLES(vlog, logd2)
-MASSV_DOUBLES(vlog10, log10d2)
-MASSV_DOUBLES(vlog1p, log1pd2)
-MASSV_DOUBLES(vrec, recipd2)
-MASSV_DOUBLES(vrsqrt, rsqrtd2)
-MASSV_DOUBLES(vsin, sind2)
-MASSV_DOUBLES(vsinh, sinhd2)
-MASSV_DOUBLES(vsqrt, sqrtd2)
-MASSV_DOUBLES(vtan, tand2)
-MASSV_DOUBLES(vtanh, tanhd2)
-MASSV_DOUBLES_OF_TWO(vatan2, atan2d2)
-MASSV_DOUBLES_OF_TWO(vdiv, divd2)
-MASSV_DOUBLES_OF_TWO(vpow, powd2)
+MASSV_DOUBLES(vacos, acosd2) MASSV_DOUBLES(vacosh, acoshd2) MASSV_DOUBLES(vasin, asind2)
+    MASSV_DOUBLES(vasinh, asinhd2) MASSV_DOUBLES(vatanh, atanhd2) MASSV_DOUBLES(vcbrt, cbrtd2)
+        MASSV_DOUBLES(vcos, cosd2) MASSV_DOUBLES(vcosh, coshd2) MASSV_DOUBLES(vexp, expd2)
+            MASSV_DOUBLES(vexpm1, expm1d2) MASSV_DOUBLES(vdint, truncd2) MASSV_DOUBLES(vdnint, roundd2)
+                MASSV_DOUBLES(vlog, logd2) MASSV_DOUBLES(vlog10, log10d2) MASSV_DOUBLES(vlog1p, log1pd2)
+                    MASSV_DOUBLES(vrec, recipd2) MASSV_DOUBLES(vrsqrt, rsqrtd2) MASSV_DOUBLES(vsin, sind2)
+                        MASSV_DOUBLES(vsinh, sinhd2) MASSV_DOUBLES(vsqrt, sqrtd2) MASSV_DOUBLES(vtan, tand2)
+                            MASSV_DOUBLES(vtanh, tanhd2) MASSV_DOUBLES_OF_TWO(vatan2, atan2d2)
+                                MASSV_DOUBLES_OF_TWO(vdiv, divd2) MASSV_DOUBLES_OF_TWO(vpow, powd2)
 
-static inline void vsincos(double* s, double* c, const double* x, const int* n) {
+                                    static inline void vsincos(double* s, double* c, const double* x,
+                                                               const int* n) {
   MASSV_EACH(double, vec_double2, 2, {
     memcpy(first, x + i, (unsigned int)part * sizeof *x);
     memcpy(&a, first, sizeof a);

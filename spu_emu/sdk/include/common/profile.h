@@ -1,5 +1,5 @@
-/* Marks for the SDK's simulator: where it begins and ends to count. A Cell goes on over them, and so does everything here;
- * spu-run --cycles counts by function instead. */
+/* Marks for the SDK's simulator: where it begins and ends to count. A Cell goes on over them, and so does
+ * everything here; spu-run --cycles counts by function instead. */
 #ifndef SPU_EMU_PROFILE_H
 #define SPU_EMU_PROFILE_H
 

@@ -1,8 +1,8 @@
 /* The SIMD math library: the functions of <math.h> on vectors, with the SDK's names. For C and C++.
  *
- * Errors and special values of every function are in docs/simdmath.md. Link with -lsimdmath; in an SPU program that is
- * compiled for the host engine nothing has to be linked. The functions themselves, to be compiled into a program, are
- * _sinf4 in <sinf4.h> and so on. */
+ * Errors and special values of every function are in docs/simdmath.md. Link with -lsimdmath; in an SPU
+ * program that is compiled for the host engine nothing has to be linked. The functions themselves, to be
+ * compiled into a program, are _sinf4 in <sinf4.h> and so on. */
 #ifndef SPU_EMU_SIMDMATH_H
 #define SPU_EMU_SIMDMATH_H
 
@@ -23,20 +23,33 @@
 #define SM_SQRT1_2 0.70710678118654752440
 
 #if defined(SPU_EMU_SPU_INTRINSICS_H) || defined(SIMDMATH_INLINE)
-/* Compiled into the program: with the host engine's own intrinsics always, elsewhere where the macro asks for it. */
+/* Compiled into the program: with the host engine's own intrinsics always, elsewhere where the macro asks for
+ * it. */
 #include "simdmath/private/all.h"
 #define SM_1(header, result, name, A) \
-  static inline result name(A x) { return _##name(x); }
+  static inline result name(A x) {    \
+    return _##name(x);                \
+  }
 #define SM_2(header, result, name, A, B) \
-  static inline result name(A x, B y) { return _##name(x, y); }
-#define SM_3(header, result, name, A, B, C) \
-  static inline result name(A x, B y, C z) { return _##name(x, y, z); }
+  static inline result name(A x, B y) {  \
+    return _##name(x, y);                \
+  }
+#define SM_3(header, result, name, A, B, C)  \
+  static inline result name(A x, B y, C z) { \
+    return _##name(x, y, z);                 \
+  }
 #define SM_1P(header, result, name, A, P) \
-  static inline result name(A x, P* p) { return _##name(x, p); }
-#define SM_2P(header, result, name, A, B, P) \
-  static inline result name(A x, B y, P* p) { return _##name(x, y, p); }
-#define SM_PP(header, name, A) \
-  static inline void name(A x, A* p, A* q) { _##name(x, p, q); }
+  static inline result name(A x, P* p) {  \
+    return _##name(x, p);                 \
+  }
+#define SM_2P(header, result, name, A, B, P)  \
+  static inline result name(A x, B y, P* p) { \
+    return _##name(x, y, p);                  \
+  }
+#define SM_PP(header, name, A)               \
+  static inline void name(A x, A* p, A* q) { \
+    _##name(x, p, q);                        \
+  }
 #include "simdmath/functions.def"
 #else
 #ifdef __cplusplus

@@ -12,4 +12,3 @@ static vec_float4 vec_float4_out;
 static vec_int4 vec_int4_out;
 static vec_double2 vec_double2_out;
 static vec_llong2 vec_llong2_out;
-

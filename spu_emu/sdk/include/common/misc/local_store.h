@@ -6,7 +6,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* What one transfer may take from both addresses: 1, 2, 4, 8 bytes where the last four bits agree, or lines of 16. */
+/* What one transfer may take from both addresses: 1, 2, 4, 8 bytes where the last four bits agree, or lines
+ * of 16. */
 static inline uint32_t misc_transfer_size(uint64_t memory, uint32_t local, size_t rest) {
   uint32_t size = 1;
   if (((uint32_t)memory & 15u) != (local & 15u)) return 0;
@@ -64,7 +65,11 @@ static inline size_t misc_copy(uint64_t memory, uint32_t local, size_t size, int
   return size;
 }
 
-static inline size_t copy_from_ls(uint64_t to, uint32_t from, size_t size) { return misc_copy(to, from, size, 1); }
-static inline size_t copy_to_ls(uint32_t to, uint64_t from, size_t size) { return misc_copy(from, to, size, 0); }
+static inline size_t copy_from_ls(uint64_t to, uint32_t from, size_t size) {
+  return misc_copy(to, from, size, 1);
+}
+static inline size_t copy_to_ls(uint32_t to, uint64_t from, size_t size) {
+  return misc_copy(from, to, size, 0);
+}
 
 #endif

@@ -12,7 +12,9 @@ typedef struct misc_block {
   size_t size;
 } misc_block;
 
-static inline misc_block* misc_block_of(void* memory) { return (misc_block*)memory - 1; }
+static inline misc_block* misc_block_of(void* memory) {
+  return (misc_block*)memory - 1;
+}
 
 /* Null without memory, and for an alignment that no address has. */
 static inline void* malloc_align(size_t size, unsigned int log2_align) {
@@ -62,10 +64,18 @@ static inline void* realloc_align(void* old, size_t size, unsigned int log2_alig
 }
 
 #ifndef __SPU__
-static inline void* malloc_huge(size_t size) { return malloc_align(size, 7); }
-static inline void* calloc_huge(size_t count, size_t size) { return calloc_align(count, size, 7); }
-static inline void* realloc_huge(void* old, size_t size) { return realloc_align(old, size, 7); }
-static inline void free_huge(void* memory) { free_align(memory); }
+static inline void* malloc_huge(size_t size) {
+  return malloc_align(size, 7);
+}
+static inline void* calloc_huge(size_t count, size_t size) {
+  return calloc_align(count, size, 7);
+}
+static inline void* realloc_huge(void* old, size_t size) {
+  return realloc_align(old, size, 7);
+}
+static inline void free_huge(void* memory) {
+  free_align(memory);
+}
 
 #endif
 

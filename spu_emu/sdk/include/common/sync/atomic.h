@@ -6,7 +6,9 @@
 
 typedef eaddr_t atomic_ea_t;
 
-static inline int atomic_read(atomic_ea_t v) { return sync_read(v); }
+static inline int atomic_read(atomic_ea_t v) {
+  return sync_read(v);
+}
 
 /* Both give the value before. */
 static inline int sync_exchange(atomic_ea_t v, int value) {
@@ -20,19 +22,41 @@ static inline int sync_fetch_add(atomic_ea_t v, int a) {
   return old;
 }
 
-static inline void atomic_set(atomic_ea_t v, int value) { (void)sync_exchange(v, value); }
-static inline int atomic_add_return(int a, atomic_ea_t v) { return (int)((unsigned int)sync_fetch_add(v, a) + (unsigned int)a); }
-static inline int atomic_sub_return(int a, atomic_ea_t v) { return atomic_add_return(-a, v); }
-static inline int atomic_inc_return(atomic_ea_t v) { return atomic_add_return(1, v); }
-static inline int atomic_dec_return(atomic_ea_t v) { return atomic_add_return(-1, v); }
-static inline void atomic_add(int a, atomic_ea_t v) { (void)sync_fetch_add(v, a); }
-static inline void atomic_sub(int a, atomic_ea_t v) { (void)sync_fetch_add(v, -a); }
-static inline void atomic_inc(atomic_ea_t v) { (void)sync_fetch_add(v, 1); }
-static inline void atomic_dec(atomic_ea_t v) { (void)sync_fetch_add(v, -1); }
+static inline void atomic_set(atomic_ea_t v, int value) {
+  (void)sync_exchange(v, value);
+}
+static inline int atomic_add_return(int a, atomic_ea_t v) {
+  return (int)((unsigned int)sync_fetch_add(v, a) + (unsigned int)a);
+}
+static inline int atomic_sub_return(int a, atomic_ea_t v) {
+  return atomic_add_return(-a, v);
+}
+static inline int atomic_inc_return(atomic_ea_t v) {
+  return atomic_add_return(1, v);
+}
+static inline int atomic_dec_return(atomic_ea_t v) {
+  return atomic_add_return(-1, v);
+}
+static inline void atomic_add(int a, atomic_ea_t v) {
+  (void)sync_fetch_add(v, a);
+}
+static inline void atomic_sub(int a, atomic_ea_t v) {
+  (void)sync_fetch_add(v, -a);
+}
+static inline void atomic_inc(atomic_ea_t v) {
+  (void)sync_fetch_add(v, 1);
+}
+static inline void atomic_dec(atomic_ea_t v) {
+  (void)sync_fetch_add(v, -1);
+}
 
 /* Whether the counter is zero then. */
-static inline int atomic_sub_and_test(int a, atomic_ea_t v) { return atomic_sub_return(a, v) == 0; }
-static inline int atomic_dec_and_test(atomic_ea_t v) { return atomic_dec_return(v) == 0; }
+static inline int atomic_sub_and_test(int a, atomic_ea_t v) {
+  return atomic_sub_return(a, v) == 0;
+}
+static inline int atomic_dec_and_test(atomic_ea_t v) {
+  return atomic_dec_return(v) == 0;
+}
 
 /* The value less one, which is stored unless it is negative. */
 static inline int atomic_dec_if_positive(atomic_ea_t v) {

@@ -1,4 +1,5 @@
-/* Conditions. In the word's upper half is how many have begun to wait, in the lower one how many of these may go on. */
+/* Conditions. In the word's upper half is how many have begun to wait, in the lower one how many of these may
+ * go on. */
 #ifndef SPU_EMU_SYNC_COND_H
 #define SPU_EMU_SYNC_COND_H
 
@@ -6,7 +7,9 @@
 
 typedef eaddr_t cond_ea_t;
 
-static inline void cond_init(cond_ea_t cond) { atomic_set(cond, 0); }
+static inline void cond_init(cond_ea_t cond) {
+  atomic_set(cond, 0);
+}
 
 /* Gives the mutex back while it waits; up to 32,767 may wait. */
 static inline void cond_wait(cond_ea_t cond, mutex_ea_t mutex) {
@@ -25,7 +28,11 @@ static inline void sync_release(cond_ea_t cond, unsigned int at_most) {
     if (sync_change(cond, (int)old, (int)fresh)) return;
   }
 }
-static inline void cond_signal(cond_ea_t cond) { sync_release(cond, 1); }
-static inline void cond_broadcast(cond_ea_t cond) { sync_release(cond, 0xffffu); }
+static inline void cond_signal(cond_ea_t cond) {
+  sync_release(cond, 1);
+}
+static inline void cond_broadcast(cond_ea_t cond) {
+  sync_release(cond, 0xffffu);
+}
 
 #endif

@@ -6,8 +6,12 @@
 
 typedef eaddr_t mutex_ea_t;
 
-static inline void mutex_init(mutex_ea_t lock) { atomic_set(lock, 0); }
-static inline void mutex_lock(mutex_ea_t lock) { sync_wait_to_change(lock, 0, 1); }
+static inline void mutex_init(mutex_ea_t lock) {
+  atomic_set(lock, 0);
+}
+static inline void mutex_lock(mutex_ea_t lock) {
+  sync_wait_to_change(lock, 0, 1);
+}
 /* 1 when it is held now. */
 static inline int mutex_trylock(mutex_ea_t lock) {
   while (sync_read(lock) == 0) {

@@ -1,4 +1,5 @@
-/* The one thing that everything here stands on: a word of main memory that is changed as a whole or not at all. */
+/* The one thing that everything here stands on: a word of main memory that is changed as a whole or not at
+ * all. */
 #ifndef SPU_EMU_SYNC_WORD_H
 #define SPU_EMU_SYNC_WORD_H
 
@@ -8,7 +9,8 @@
 
 typedef unsigned long long eaddr_t;
 
-/* The line with the word, as getllar brought it. The same for all: there is one thread, and a line is changed at once. */
+/* The line with the word, as getllar brought it. The same for all: there is one thread, and a line is changed
+ * at once. */
 static inline volatile int* sync_line(void) {
   static volatile int line[32] __attribute__((aligned(128)));
   return line;
@@ -19,7 +21,9 @@ static inline volatile int* sync_load(eaddr_t word) {
   (void)mfc_read_atomic_status();
   return line + (((unsigned int)word & 127u) >> 2);
 }
-static inline int sync_read(eaddr_t word) { return *sync_load(word); }
+static inline int sync_read(eaddr_t word) {
+  return *sync_load(word);
+}
 
 /* From the value that was read to another one; 0 when somebody else was faster. */
 static inline int sync_change(eaddr_t word, int from, int to) {
@@ -37,11 +41,15 @@ static inline void sync_pause(void) {}
 
 typedef void* eaddr_t;
 
-static inline int sync_read(eaddr_t word) { return __atomic_load_n((int*)word, __ATOMIC_SEQ_CST); }
+static inline int sync_read(eaddr_t word) {
+  return __atomic_load_n((int*)word, __ATOMIC_SEQ_CST);
+}
 static inline int sync_change(eaddr_t word, int from, int to) {
   return __atomic_compare_exchange_n((int*)word, &from, to, 0, __ATOMIC_SEQ_CST, __ATOMIC_SEQ_CST);
 }
-static inline void sync_pause(void) { (void)sched_yield(); }
+static inline void sync_pause(void) {
+  (void)sched_yield();
+}
 
 #endif
 

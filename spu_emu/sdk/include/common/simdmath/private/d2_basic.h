@@ -1,4 +1,5 @@
-/* Signs, kinds, compares, whole numbers and exponents of doubles. A denormal operand counts as zero, as to the SPU. */
+/* Signs, kinds, compares, whole numbers and exponents of doubles. A denormal operand counts as zero, as to
+ * the SPU. */
 #ifndef SPU_EMU_SIMDMATH_D2_BASIC_H
 #define SPU_EMU_SIMDMATH_D2_BASIC_H
 
@@ -8,7 +9,9 @@
 
 #ifdef __SPU__
 
-SM_INLINE vec_ullong2 sm_dresult(vec_uint4 mask) { return (vec_ullong2)(qword)mask; }
+SM_INLINE vec_ullong2 sm_dresult(vec_uint4 mask) {
+  return (vec_ullong2)(qword)mask;
+}
 /* An integer in both words as one of 64 bits. */
 SM_INLINE vec_llong2 sm_dlong(vec_int4 x) {
   return (vec_llong2)(qword)spu_sel((vec_uint4)(x >> 31), (vec_uint4)x, SM_HIGH_LOW(0u, 0xffffffffu));
@@ -23,15 +26,33 @@ SM_INLINE vec_int4 sm_dlimited(vec_llong2 x) {
   return sm_ilimit((vec_int4)spu_sel(far, (vec_uint4)low, fits), SM_I4(-3000), SM_I4(3000));
 }
 
-static inline vec_double2 _fabsd2(vec_double2 x) { return sm_dabs(x); }
-static inline vec_double2 _negated2(vec_double2 x) { return sm_dneg(x); }
-static inline vec_double2 _copysignd2(vec_double2 x, vec_double2 y) { return sm_dsigned(sm_dabs(x), sm_dsign(y)); }
-static inline vec_ullong2 _signbitd2(vec_double2 x) { return sm_dresult(sm_dis_negative(x)); }
-static inline vec_ullong2 _isnand2(vec_double2 x) { return sm_dresult(sm_dis_nan(x)); }
-static inline vec_ullong2 _isinfd2(vec_double2 x) { return sm_dresult(sm_dis_infinite(x)); }
-static inline vec_ullong2 _isfinited2(vec_double2 x) { return sm_dresult(~sm_dis_special(x)); }
-static inline vec_ullong2 _is0denormd2(vec_double2 x) { return sm_dresult(sm_dis_zero(x)); }
-static inline vec_ullong2 _isnormald2(vec_double2 x) { return sm_dresult(~(sm_dis_zero(x) | sm_dis_special(x))); }
+static inline vec_double2 _fabsd2(vec_double2 x) {
+  return sm_dabs(x);
+}
+static inline vec_double2 _negated2(vec_double2 x) {
+  return sm_dneg(x);
+}
+static inline vec_double2 _copysignd2(vec_double2 x, vec_double2 y) {
+  return sm_dsigned(sm_dabs(x), sm_dsign(y));
+}
+static inline vec_ullong2 _signbitd2(vec_double2 x) {
+  return sm_dresult(sm_dis_negative(x));
+}
+static inline vec_ullong2 _isnand2(vec_double2 x) {
+  return sm_dresult(sm_dis_nan(x));
+}
+static inline vec_ullong2 _isinfd2(vec_double2 x) {
+  return sm_dresult(sm_dis_infinite(x));
+}
+static inline vec_ullong2 _isfinited2(vec_double2 x) {
+  return sm_dresult(~sm_dis_special(x));
+}
+static inline vec_ullong2 _is0denormd2(vec_double2 x) {
+  return sm_dresult(sm_dis_zero(x));
+}
+static inline vec_ullong2 _isnormald2(vec_double2 x) {
+  return sm_dresult(~(sm_dis_zero(x) | sm_dis_special(x)));
+}
 
 static inline vec_llong2 _fpclassifyd2(vec_double2 x) {
   vec_uint4 kind = spu_sel(SM_U4(FP_NORMAL), SM_U4(FP_SUBNORMAL), sm_dis_zero(x));
@@ -40,19 +61,27 @@ static inline vec_llong2 _fpclassifyd2(vec_double2 x) {
   return sm_dlong((vec_int4)spu_sel(kind, SM_U4(FP_NAN), sm_dis_nan(x)));
 }
 
-static inline vec_ullong2 _isequald2(vec_double2 x, vec_double2 y) { return sm_dresult(sm_deq(x, y)); }
-static inline vec_ullong2 _isgreaterd2(vec_double2 x, vec_double2 y) { return sm_dresult(sm_dgt(x, y)); }
+static inline vec_ullong2 _isequald2(vec_double2 x, vec_double2 y) {
+  return sm_dresult(sm_deq(x, y));
+}
+static inline vec_ullong2 _isgreaterd2(vec_double2 x, vec_double2 y) {
+  return sm_dresult(sm_dgt(x, y));
+}
 static inline vec_ullong2 _isgreaterequald2(vec_double2 x, vec_double2 y) {
   return sm_dresult(sm_dgt(x, y) | sm_deq(x, y));
 }
-static inline vec_ullong2 _islessd2(vec_double2 x, vec_double2 y) { return sm_dresult(sm_dgt(y, x)); }
+static inline vec_ullong2 _islessd2(vec_double2 x, vec_double2 y) {
+  return sm_dresult(sm_dgt(y, x));
+}
 static inline vec_ullong2 _islessequald2(vec_double2 x, vec_double2 y) {
   return sm_dresult(sm_dgt(y, x) | sm_deq(x, y));
 }
 static inline vec_ullong2 _islessgreaterd2(vec_double2 x, vec_double2 y) {
   return sm_dresult(sm_dgt(x, y) | sm_dgt(y, x));
 }
-static inline vec_ullong2 _isunorderedd2(vec_double2 x, vec_double2 y) { return sm_dresult(~sm_dordered(x, y)); }
+static inline vec_ullong2 _isunorderedd2(vec_double2 x, vec_double2 y) {
+  return sm_dresult(~sm_dordered(x, y));
+}
 static inline vec_double2 _fmaxd2(vec_double2 x, vec_double2 y) {
   return sm_dsel(x, y, sm_dgt(y, x) | sm_dis_nan(x));
 }
@@ -62,7 +91,9 @@ static inline vec_double2 _fmind2(vec_double2 x, vec_double2 y) {
 static inline vec_double2 _fdimd2(vec_double2 x, vec_double2 y) {
   return sm_dmasked(sm_dsub(x, y), sm_dgt(x, y) | ~sm_dordered(x, y));
 }
-static inline vec_double2 _fmad2(vec_double2 x, vec_double2 y, vec_double2 z) { return sm_dmadd(x, y, z); }
+static inline vec_double2 _fmad2(vec_double2 x, vec_double2 y, vec_double2 z) {
+  return sm_dmadd(x, y, z);
+}
 
 /* The bits of the fraction part of |x|: all below 1, none from 2^52 on. */
 SM_INLINE vec_uint4 sm_dbits_below_one(vec_double2 x) {
@@ -77,7 +108,9 @@ SM_INLINE vec_uint4 sm_dhas_fraction(vec_double2 x) {
   return ~(sm_deq_words(sm_dwords(x) & sm_dbits_below_one(x), SM_U4(0)) | sm_dis_zero(x));
 }
 
-static inline vec_double2 _truncd2(vec_double2 x) { return sm_dof(spu_andc(sm_dwords(x), sm_dbits_below_one(x))); }
+static inline vec_double2 _truncd2(vec_double2 x) {
+  return sm_dof(spu_andc(sm_dwords(x), sm_dbits_below_one(x)));
+}
 
 /* The whole part, one further from zero where the mask says so, with the sign of x. */
 SM_INLINE vec_double2 sm_dtruncated_and_one(vec_double2 x, vec_uint4 mask) {
@@ -102,7 +135,9 @@ static inline vec_double2 _rintd2(vec_double2 x) {
   const vec_double2 rounded = sm_dsigned(sm_dabs(sm_dsub(sm_dadd(x, large), large)), signs);
   return sm_dsel(sm_dkeep_nan(x, x), rounded, sm_dabsgt(SM_D2(0x1p52), x));
 }
-static inline vec_double2 _nearbyintd2(vec_double2 x) { return _rintd2(x); }
+static inline vec_double2 _nearbyintd2(vec_double2 x) {
+  return _rintd2(x);
+}
 
 /* A double that is whole as a 64-bit number, limited to what that holds. */
 SM_INLINE long long sm_dwhole_to_ll(unsigned int high, unsigned int low) {
@@ -119,8 +154,12 @@ SM_INLINE vec_llong2 sm_dwholes_to_ll(vec_double2 x) {
   return (vec_llong2){sm_dwhole_to_ll(spu_extract(words, 0), spu_extract(words, 1)),
                       sm_dwhole_to_ll(spu_extract(words, 2), spu_extract(words, 3))};
 }
-static inline vec_llong2 _llrintd2(vec_double2 x) { return sm_dwholes_to_ll(_rintd2(x)); }
-static inline vec_llong2 _llroundd2(vec_double2 x) { return sm_dwholes_to_ll(_roundd2(x)); }
+static inline vec_llong2 _llrintd2(vec_double2 x) {
+  return sm_dwholes_to_ll(_rintd2(x));
+}
+static inline vec_llong2 _llroundd2(vec_double2 x) {
+  return sm_dwholes_to_ll(_roundd2(x));
+}
 
 static inline vec_double2 _modfd2(vec_double2 x, vec_double2* whole) {
   const vec_double2 truncated = _truncd2(x);
@@ -132,7 +171,8 @@ static inline vec_double2 _modfd2(vec_double2 x, vec_double2* whole) {
 /* x = result * 2^exponent, the result's magnitude from 1/2 to below 1. */
 SM_INLINE vec_double2 sm_dfrexp(vec_double2 x, vec_int4* exponent) {
   const vec_uint4 as_it_is = sm_dis_zero(x) | sm_dis_special(x);
-  const vec_double2 half = sm_dof((sm_dwords(x) & (SM_D_FRACTION | SM_D_SIGN)) | SM_HIGH_LOW(0x3fe00000u, 0u));
+  const vec_double2 half =
+      sm_dof((sm_dwords(x) & (SM_D_FRACTION | SM_D_SIGN)) | SM_HIGH_LOW(0x3fe00000u, 0u));
   *exponent = (vec_int4)spu_andc((vec_uint4)(sm_dexponent(x) - SM_I4(1022)), as_it_is);
   return sm_dsel(half, sm_dadd(x, x), as_it_is);
 }
@@ -147,7 +187,9 @@ static inline vec_double2 _ldexpd2(vec_double2 x, vec_llong2 power) {
   const vec_double2 fraction = sm_dfrexp(x, &exponent);
   return sm_dscale(fraction, exponent + sm_dlimited(power));
 }
-static inline vec_double2 _scalbllnd2(vec_double2 x, vec_llong2 power) { return _ldexpd2(x, power); }
+static inline vec_double2 _scalbllnd2(vec_double2 x, vec_llong2 power) {
+  return _ldexpd2(x, power);
+}
 
 /* The exponent; of zero the smallest int, of infinities and NaNs the largest. */
 static inline vec_llong2 _ilogbd2(vec_double2 x) {

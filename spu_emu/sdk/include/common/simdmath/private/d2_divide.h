@@ -52,7 +52,9 @@ static inline vec_double2 _divd2(vec_double2 a, vec_double2 b) {
                  sm_dis_special(a) | sm_dis_special(b) | sm_dis_zero(a) | sm_dis_zero(b));
 }
 /* Of a NaN the unit's own, which a product with a constant 1 would not give. */
-static inline vec_double2 _recipd2(vec_double2 x) { return sm_dkeep_nan(_divd2(SM_D2(1.0), x), x); }
+static inline vec_double2 _recipd2(vec_double2 x) {
+  return sm_dkeep_nan(_divd2(SM_D2(1.0), x), x);
+}
 
 /* x = part * 4^exponent, part from 1 to below 4. */
 SM_INLINE vec_double2 sm_dsplit_even(vec_double2 x, vec_int4* exponent) {
@@ -114,11 +116,12 @@ static inline vec_double2 _hypotd2(vec_double2 x, vec_double2 y) {
   const vec_double2 smaller = sm_dabs(sm_dsel(y, x, y_is_larger));
   const vec_double2 a = sm_dsplit(larger, &exponent);
   const vec_double2 part_b = sm_dsplit(smaller, &exponent_b);
-  const vec_double2 b =
-      sm_dmasked(sm_dscale(part_b, sm_ilimit(exponent_b - exponent, SM_I4(-200), SM_I4(0))), ~sm_dis_zero(smaller));
+  const vec_double2 b = sm_dmasked(sm_dscale(part_b, sm_ilimit(exponent_b - exponent, SM_I4(-200), SM_I4(0))),
+                                   ~sm_dis_zero(smaller));
   const vec_double2 result = sm_dscale(sm_droot(sm_dmadd(a, a, sm_dmul(b, b))), exponent);
   const vec_double2 known = sm_dsel(result, larger, sm_dis_zero(larger));
-  return sm_dsel(sm_dkeep_nan(sm_dkeep_nan(known, x), y), sm_dof(SM_D_HUGE), sm_dis_infinite(x) | sm_dis_infinite(y));
+  return sm_dsel(sm_dkeep_nan(sm_dkeep_nan(known, x), y), sm_dof(SM_D_HUGE),
+                 sm_dis_infinite(x) | sm_dis_infinite(y));
 }
 
 #endif

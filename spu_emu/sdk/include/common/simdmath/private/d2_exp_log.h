@@ -38,7 +38,8 @@ SM_INLINE vec_double2 sm_dexp2_of_pair(vec_double2 x, vec_double2 low) {
   const vec_double2 rest = sm_dadd(low, sm_dsub(high, r));
   const vec_double2 ln2 = SM_D2(0x1.62e42fefa39efp-1);
   const vec_double2 y = sm_dmul(r, ln2);
-  const vec_double2 y_low = sm_dmadd(rest, ln2, sm_dmadd(r, SM_D2(0x1.abc9e3b39803fp-56), sm_dmsub(r, ln2, y)));
+  const vec_double2 y_low =
+      sm_dmadd(rest, ln2, sm_dmadd(r, SM_D2(0x1.abc9e3b39803fp-56), sm_dmsub(r, ln2, y)));
   return sm_dscale(sm_dadd(sm_dexp_near(y, y_low), SM_D2(1.0)), power);
 }
 static inline vec_double2 _exp2d2(vec_double2 x) {
@@ -50,7 +51,8 @@ static inline vec_double2 _expm1d2(vec_double2 x) {
   const vec_double2 limited =
       sm_dsel(sm_dlimit(x, SM_D2(1000.0)), SM_D2(-50.0), sm_dis_negative(x) & sm_dabsgt(x, SM_D2(50.0)));
   const vec_double2 minus_one = sm_dexp_parts(limited, &power);
-  const vec_double2 one_less = sm_dsub(SM_D2(1.0), sm_dpower_of_two(SM_I4(0) - sm_ilimit(power, SM_I4(-80), SM_I4(80))));
+  const vec_double2 one_less =
+      sm_dsub(SM_D2(1.0), sm_dpower_of_two(SM_I4(0) - sm_ilimit(power, SM_I4(-80), SM_I4(80))));
   const vec_double2 scaled = sm_dscale(sm_dadd(one_less, minus_one), power);
   const vec_double2 result = sm_dsel(scaled, minus_one, spu_cmpeq(power, SM_I4(0)));
   return sm_dkeep_nan(sm_dsel(result, x, sm_dabsgt(SM_D2(0x1p-54), x)), x);

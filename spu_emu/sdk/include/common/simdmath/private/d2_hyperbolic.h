@@ -15,7 +15,9 @@ SM_INLINE vec_double2 sm_dhalf_sum(vec_double2 x, double sign) {
   inverse = sm_dmul(sm_ddivide(SM_D2(1.0), e), sm_dpower_of_two(SM_I4(0) - twice));
   return sm_dscale(sm_dmadd(inverse, SM_D2(sign), e), power - SM_I4(1));
 }
-static inline vec_double2 _coshd2(vec_double2 x) { return sm_dkeep_nan(sm_dhalf_sum(x, 1.0), x); }
+static inline vec_double2 _coshd2(vec_double2 x) {
+  return sm_dkeep_nan(sm_dhalf_sum(x, 1.0), x);
+}
 
 /* Below 1 (t + t / (t + 1)) / 2 with t = e^|x| - 1. */
 static inline vec_double2 _sinhd2(vec_double2 x) {
@@ -68,7 +70,8 @@ static inline vec_double2 _acoshd2(vec_double2 x) {
   vec_double2 result = sm_dsel(sm_dlog1p(sum, lost), sm_dlog_of_twice(x), large);
   result = sm_dmasked(result, ~sm_deq_words(sm_dwords(x), SM_D_ONE));
   result = sm_dsel(result, x, sm_dis_infinite(x));
-  return sm_dkeep_nan(sm_dsel(result, sm_dof(SM_D_NOTHING), sm_dis_negative(x) | sm_dabsgt(SM_D2(1.0), x)), x);
+  return sm_dkeep_nan(sm_dsel(result, sm_dof(SM_D_NOTHING), sm_dis_negative(x) | sm_dabsgt(SM_D2(1.0), x)),
+                      x);
 }
 
 /* log(1 + 2 |x| / (1 - |x|)) / 2. */

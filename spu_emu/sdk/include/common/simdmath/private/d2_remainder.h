@@ -6,7 +6,8 @@
 
 #ifdef __SPU__
 
-/* |x| = (quotient * divisor + rest) * 2^power, |y| = divisor * 2^power, with the last bits of the quotient. */
+/* |x| = (quotient * divisor + rest) * 2^power, |y| = divisor * 2^power, with the last bits of the quotient.
+ */
 typedef struct sm_ddivision {
   unsigned int quotient;
   unsigned long long rest;
@@ -15,9 +16,12 @@ typedef struct sm_ddivision {
 } sm_ddivision;
 
 SM_INLINE unsigned long long sm_dsignificand(vec_uint4 words, int i) {
-  return ((unsigned long long)((spu_extract(words, 2 * i) & 0xfffffu) | 0x100000u) << 32) | spu_extract(words, 2 * i + 1);
+  return ((unsigned long long)((spu_extract(words, 2 * i) & 0xfffffu) | 0x100000u) << 32) |
+         spu_extract(words, 2 * i + 1);
 }
-SM_INLINE int sm_dexponent_of(vec_uint4 words, int i) { return (int)(spu_extract(words, 2 * i) >> 20 & 2047u); }
+SM_INLINE int sm_dexponent_of(vec_uint4 words, int i) {
+  return (int)(spu_extract(words, 2 * i) >> 20 & 2047u);
+}
 
 static inline sm_ddivision sm_dlong_division(vec_uint4 x, vec_uint4 y, int i) {
   sm_ddivision d;
@@ -26,7 +30,8 @@ static inline sm_ddivision sm_dlong_division(vec_uint4 x, vec_uint4 y, int i) {
   d.rest = sm_dsignificand(x, i);
   d.divisor = sm_dsignificand(y, i);
   d.power = (steps < 0 ? sm_dexponent_of(x, i) : sm_dexponent_of(y, i)) - 1075;
-  /* An x with the smaller exponent is the rest itself; from two less it is below half of y, however large that is. */
+  /* An x with the smaller exponent is the rest itself; from two less it is below half of y, however large
+   * that is. */
   if (steps < 0) d.divisor = steps == -1 ? d.divisor << 1 : 1ull << 60;
   for (; steps >= 0; --steps) {
     d.quotient <<= 1;

@@ -20,7 +20,8 @@ SM_INLINE double sm_dof_whole(unsigned long long whole, int negative) {
 }
 
 /* Angles from 2^30 on, one by one. */
-static __attribute__((noinline, unused)) void sm_dreduce_large(vec_double2 x, vec_uint4 which, sm_dangle* angle) {
+static __attribute__((noinline, unused)) void sm_dreduce_large(vec_double2 x, vec_uint4 which,
+                                                               sm_dangle* angle) {
   const vec_uint4 words = sm_dwords(x);
   const vec_double2 half_pi = SM_D2(0x1.921fb54442d18p0);
   vec_double2 first = SM_D2(0.0), second = SM_D2(0.0), a, b, high, rest;
@@ -56,10 +57,17 @@ SM_INLINE sm_dangle sm_dreduce(vec_double2 x) {
   const vec_double2 moderate = sm_dmasked(x, ~sm_dabsgt(x, SM_D2(0x1p30)));
   const vec_double2 k = sm_dnearest(sm_dmul(moderate, SM_D2(0x1.45f306dc9c883p-1)), &quarter);
   const vec_double2 rest = sm_dnmsub(k, SM_D2(0x1.921fb54442d18p0), moderate);
+  /* rest less k * second, each of them as two numbers: they may nearly cancel. */
   const vec_double2 second = SM_D2(0x1.1a62633145c07p-54);
+  const vec_double2 product = sm_dmul(k, second);
+  const vec_double2 product_low = sm_dmsub(k, second, product);
+  const vec_uint4 swapped = sm_dabsgt(product, rest);
+  const vec_double2 larger = sm_dsel(rest, sm_dneg(product), swapped);
+  const vec_double2 smaller = sm_dsel(sm_dneg(product), rest, swapped);
   angle.quarter = (vec_uint4)quarter;
-  angle.high = sm_dnmsub(k, second, rest);
-  angle.low = sm_dnmsub(k, SM_D2(-0x1.f1976b7ed8fbcp-110), sm_dnmsub(k, second, sm_dsub(rest, angle.high)));
+  angle.high = sm_dadd(larger, smaller);
+  angle.low = sm_dsub(sm_dsub(smaller, sm_dsub(angle.high, larger)),
+                      sm_dmadd(k, SM_D2(-0x1.f1976b7ed8fbcp-110), product_low));
   if (__builtin_expect(sm_any(large), 0)) sm_dreduce_large(x, large, &angle);
   return angle;
 }
@@ -76,11 +84,14 @@ SM_INLINE vec_double2 sm_dcos_near(sm_dangle a) {
   const vec_double2 half = sm_dmul(square, SM_D2(0.5));
   const vec_double2 main = sm_dsub(SM_D2(1.0), half);
   const vec_double2 lost = sm_dsub(sm_dsub(SM_D2(1.0), main), half);
-  const vec_double2 tail = sm_dmadd(sm_dmul(square, square), sm_poly_cos_d2(square), sm_dneg(sm_dmul(a.high, a.low)));
+  const vec_double2 tail =
+      sm_dmadd(sm_dmul(square, square), sm_poly_cos_d2(square), sm_dneg(sm_dmul(a.high, a.low)));
   return sm_dadd(main, sm_dadd(tail, lost));
 }
 
-SM_INLINE vec_uint4 sm_dis_odd_quarter(vec_uint4 quarter) { return spu_cmpeq(quarter & SM_U4(1), SM_U4(1)); }
+SM_INLINE vec_uint4 sm_dis_odd_quarter(vec_uint4 quarter) {
+  return spu_cmpeq(quarter & SM_U4(1), SM_U4(1));
+}
 SM_INLINE vec_double2 sm_dof_quarter(vec_double2 even, vec_double2 odd, vec_uint4 quarter) {
   const vec_double2 value = sm_dsel(even, odd, sm_dis_odd_quarter(quarter));
   return sm_dof(sm_dwords(value) ^ (((quarter & SM_U4(2)) << 30) & SM_D_SIGN));
@@ -149,9 +160,11 @@ static inline vec_double2 _asind2(vec_double2 x) {
 static inline vec_double2 _acosd2(vec_double2 x) {
   const sm_darc arc = sm_darc_of(sm_dabs(x));
   const vec_double2 signed_value = sm_dsigned(arc.value, sm_dsign(x));
-  const vec_double2 near = sm_dsub(SM_D2(0x1.921fb54442d18p0), sm_dsub(signed_value, SM_D2(0x1.1a62633145c07p-54)));
+  const vec_double2 near =
+      sm_dsub(SM_D2(0x1.921fb54442d18p0), sm_dsub(signed_value, SM_D2(0x1.1a62633145c07p-54)));
   const vec_double2 twice = sm_dadd(arc.value, arc.value);
-  const vec_double2 from_half = sm_dsub(SM_D2(0x1.921fb54442d18p1), sm_dsub(twice, SM_D2(0x1.1a62633145c07p-53)));
+  const vec_double2 from_half =
+      sm_dsub(SM_D2(0x1.921fb54442d18p1), sm_dsub(twice, SM_D2(0x1.1a62633145c07p-53)));
   return sm_dof_cosine(sm_dsel(near, sm_dsel(twice, from_half, sm_dis_negative(x)), arc.far), x);
 }
 

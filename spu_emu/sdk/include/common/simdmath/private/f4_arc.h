@@ -73,9 +73,11 @@ SM_INLINE vec_float4 sm_fangle_of(vec_float4 y, vec_float4 x, vec_uint4 x_is_neg
 }
 
 static inline vec_float4 _atanf4(vec_float4 x) {
-  const vec_float4 limited = sm_fsel(sm_fabs(x), SM_F4(0x1p40f), sm_igt(sm_fbits(x), (vec_int4)SM_F4(0x1p40f)));
+  const vec_float4 limited =
+      sm_fsel(sm_fabs(x), SM_F4(0x1p40f), sm_igt(sm_fbits(x), (vec_int4)SM_F4(0x1p40f)));
   const vec_float4 result = sm_fangle_of(limited, SM_F4(1.0f), SM_U4(0));
-  const vec_float4 known = sm_fsel(sm_fsigned(result, sm_fsign(x)), x, sm_igt(SM_I4(0x39000000), sm_fbits(x)));
+  const vec_float4 known =
+      sm_fsel(sm_fsigned(result, sm_fsign(x)), x, sm_igt(SM_I4(0x39000000), sm_fbits(x)));
   return sm_fkeep_nan(known, x);
 }
 

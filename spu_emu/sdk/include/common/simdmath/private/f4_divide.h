@@ -32,7 +32,8 @@ SM_INLINE vec_float4 sm_froot_exact(vec_float4 x) {
 #endif
 }
 
-/* The result, or its neighbour away from zero where b times that is not more than a: exact but for its last bit. */
+/* The result, or its neighbour away from zero where b times that is not more than a: exact but for its last
+ * bit. */
 SM_INLINE vec_float4 sm_ftruncated_quotient(vec_float4 a, vec_float4 b, vec_float4 quotient) {
 #ifdef __SPU__
   const vec_float4 next = (vec_float4)((vec_uint4)quotient + SM_U4(1));
@@ -77,13 +78,21 @@ static inline vec_float4 _divf4(vec_float4 a, vec_float4 b) {
   return sm_fquotient_of_specials(result, a, b);
 }
 
-static inline vec_float4 _recipf4(vec_float4 x) { return _divf4(SM_F4(1.0f), x); }
+static inline vec_float4 _recipf4(vec_float4 x) {
+  return _divf4(SM_F4(1.0f), x);
+}
 
 /* Without the last bit, and for b and results from 2^-126 to 2^126 in magnitude. */
-static inline vec_float4 _divf4_fast(vec_float4 a, vec_float4 b) { return sm_fdivide(a, b); }
-static inline vec_float4 _recipf4_fast(vec_float4 x) { return sm_fdivide(SM_F4(1.0f), x); }
+static inline vec_float4 _divf4_fast(vec_float4 a, vec_float4 b) {
+  return sm_fdivide(a, b);
+}
+static inline vec_float4 _recipf4_fast(vec_float4 x) {
+  return sm_fdivide(SM_F4(1.0f), x);
+}
 /* Without the last bit, and for x from 2^-126 to 2^126. */
-static inline vec_float4 _sqrtf4_fast(vec_float4 x) { return sm_froot(x); }
+static inline vec_float4 _sqrtf4_fast(vec_float4 x) {
+  return sm_froot(x);
+}
 
 /* x = part * 4^exponent, part from 1 to below 4, for positive normal x. */
 SM_INLINE vec_float4 sm_fsplit_even(vec_float4 x, vec_int4* exponent) {
@@ -155,13 +164,14 @@ static inline vec_float4 _hypotf4(vec_float4 x, vec_float4 y) {
   const vec_float4 a = sm_fsplit(larger, &exponent);
   const vec_float4 part_b = sm_fsplit(smaller, &exponent_b);
   const vec_int4 distance = exponent_b - exponent;
-  const vec_float4 b =
-      (vec_float4)((vec_uint4)sm_fscale(part_b, sm_ilimit(distance, SM_I4(-100), SM_I4(0))) & ~sm_fis_zero(smaller));
+  const vec_float4 b = (vec_float4)((vec_uint4)sm_fscale(part_b, sm_ilimit(distance, SM_I4(-100), SM_I4(0))) &
+                                    ~sm_fis_zero(smaller));
   const vec_float4 result = sm_fscale(sm_froot_exact(sm_fmadd(a, a, sm_fmul(b, b))), exponent);
 #ifdef __SPU__
   return (vec_float4)((vec_uint4)result & ~sm_fis_zero(larger));
 #else
-  const vec_uint4 infinite = sm_ueq((vec_uint4)sm_fabs(x), SM_F_HUGE) | sm_ueq((vec_uint4)sm_fabs(y), SM_F_HUGE);
+  const vec_uint4 infinite =
+      sm_ueq((vec_uint4)sm_fabs(x), SM_F_HUGE) | sm_ueq((vec_uint4)sm_fabs(y), SM_F_HUGE);
   const vec_float4 known = sm_fsel(result, larger, sm_fis_zero(larger));
   return sm_fsel(sm_fkeep_nan(sm_fkeep_nan(known, x), y), (vec_float4)SM_F_HUGE, infinite);
 #endif

@@ -23,7 +23,9 @@ static inline vec_float4 _ldexpf4(vec_float4 x, vec_int4 power) {
   const vec_float4 fraction = _frexpf4(x, &exponent);
   return sm_fscale(fraction, exponent + limited);
 }
-static inline vec_float4 _scalbnf4(vec_float4 x, vec_int4 power) { return _ldexpf4(x, power); }
+static inline vec_float4 _scalbnf4(vec_float4 x, vec_int4 power) {
+  return _ldexpf4(x, power);
+}
 
 /* The exponent; of zero INT_MIN, on the PPU of infinities and NaNs INT_MAX. */
 static inline vec_int4 _ilogbf4(vec_float4 x) {

@@ -9,17 +9,18 @@
 /* (e^|x| + sign * e^-|x|) / 2. */
 SM_INLINE vec_float4 sm_fhalf_sum(vec_float4 x, float sign) {
   vec_int4 power;
-  const vec_float4 e = sm_fadd(sm_fexp_parts(sm_fsel(sm_fabs(x), SM_F4(200.0f),
-                                                     sm_igt(sm_fbits(x), (vec_int4)SM_F4(200.0f))),
-                                             &power),
-                               SM_F4(1.0f));
+  const vec_float4 e = sm_fadd(
+      sm_fexp_parts(sm_fsel(sm_fabs(x), SM_F4(200.0f), sm_igt(sm_fbits(x), (vec_int4)SM_F4(200.0f))), &power),
+      SM_F4(1.0f));
   /* e^-|x| / e^|x| * e, which is nothing from 2^-28 on. */
   const vec_int4 twice = sm_ilimit(power + power, SM_I4(0), SM_I4(60));
   const vec_float4 inverse = sm_fscale(sm_fdivide(SM_F4(1.0f), e), -twice);
   return sm_fscale(sm_fmadd(inverse, SM_F4(sign), e), power - SM_I4(1));
 }
 
-static inline vec_float4 _coshf4(vec_float4 x) { return sm_fkeep_nan(sm_fhalf_sum(x, 1.0f), x); }
+static inline vec_float4 _coshf4(vec_float4 x) {
+  return sm_fkeep_nan(sm_fhalf_sum(x, 1.0f), x);
+}
 
 static inline vec_float4 _sinhf4(vec_float4 x) {
   const vec_uint4 near = sm_igt(SM_I4(0x3f800000), sm_fbits(x));
@@ -99,8 +100,7 @@ static inline vec_float4 _atanhf4(vec_float4 x) {
   const vec_float4 quotient = sm_fdivide(twice, divisor);
   const vec_float4 left = sm_fnmsub(quotient, divisor, twice);
   const vec_float4 lost_of_divisor = sm_fsub(sm_fsub(SM_F4(1.0f), divisor), limited);
-  const vec_float4 low =
-      sm_fmul(sm_fnmsub(quotient, lost_of_divisor, left), sm_frecip_guess(divisor));
+  const vec_float4 low = sm_fmul(sm_fnmsub(quotient, lost_of_divisor, left), sm_frecip_guess(divisor));
   vec_float4 result = sm_fmul(sm_flog1p(quotient, low), SM_F4(0.5f));
   result = sm_fsel(result, (vec_float4)SM_F_HUGE, sm_ueq((vec_uint4)magnitude, SM_F_ONE));
   result = sm_fsigned(result, sm_fsign(x));

@@ -66,8 +66,8 @@ SM_INLINE vec_float4 sm_flog1p(vec_float4 x, vec_float4 low) {
   vec_int4 exponent;
   const vec_float4 one = SM_F4(1.0f);
   const vec_float4 sum = sm_fadd(x, one);
-  const vec_float4 lost =
-      sm_fsel(sm_fsub(x, sm_fsub(sum, one)), sm_fsub(one, sm_fsub(sum, x)), sm_igt((vec_int4)x, SM_I4(0x3f800000)));
+  const vec_float4 lost = sm_fsel(sm_fsub(x, sm_fsub(sum, one)), sm_fsub(one, sm_fsub(sum, x)),
+                                  sm_igt((vec_int4)x, SM_I4(0x3f800000)));
   const vec_float4 parts = sm_flog_parts(sum, &exponent);
   const vec_uint4 direct = sm_igt((vec_int4)SM_F4(0x1.2bp-2f), sm_fbits(x));
   const vec_float4 f = sm_fsel(parts, x, direct);
@@ -77,8 +77,8 @@ SM_INLINE vec_float4 sm_flog1p(vec_float4 x, vec_float4 low) {
 }
 
 static inline vec_float4 _log1pf4(vec_float4 x) {
-  const vec_uint4 outside = sm_igt((vec_int4)x & (vec_int4)SM_U4(0x7fffffffu), SM_I4(0x3f800000)) &
-                            sm_igt(SM_I4(0), (vec_int4)x);
+  const vec_uint4 outside =
+      sm_igt((vec_int4)x & (vec_int4)SM_U4(0x7fffffffu), SM_I4(0x3f800000)) & sm_igt(SM_I4(0), (vec_int4)x);
   const vec_uint4 large = sm_igt((vec_int4)x, (vec_int4)SM_F4(0x1p40f));
   const vec_float4 plain = sm_flog1p(sm_fsel(x, SM_F4(0x1p40f), large), SM_F4(0.0f));
   vec_float4 result = sm_fsel(plain, _logf4(x), large);

@@ -5,7 +5,8 @@
 #include "simdmath/private/f4_divide.h"
 #include "simdmath/private/f4_round.h"
 
-/* |x| = (quotient * divisor + rest) * 2^exponent, |y| = divisor * 2^exponent, with the last bits of the quotient. */
+/* |x| = (quotient * divisor + rest) * 2^exponent, |y| = divisor * 2^exponent, with the last bits of the
+ * quotient. */
 typedef struct sm_fdivision {
   vec_uint4 quotient;
   vec_uint4 rest;
@@ -23,9 +24,11 @@ SM_INLINE sm_fdivision sm_flong_division(vec_float4 x, vec_float4 y) {
   d.quotient = SM_U4(0);
   d.rest = ((vec_uint4)x & SM_F_FRACTION) | hidden;
   d.divisor = ((vec_uint4)y & SM_F_FRACTION) | hidden;
-  /* An x with the smaller exponent is the rest itself, with its own exponent; from two less it is below half of y. */
+  /* An x with the smaller exponent is the rest itself, with its own exponent; from two less it is below half
+   * of y. */
   d.exponent = (vec_int4)sm_usel((vec_uint4)exponent_y, (vec_uint4)exponent_x, closer);
-  d.divisor = sm_usel(d.divisor, sm_usel(SM_U4(0x7fffffffu), d.divisor << 1, sm_igt(steps, SM_I4(-2))), closer);
+  d.divisor =
+      sm_usel(d.divisor, sm_usel(SM_U4(0x7fffffffu), d.divisor << 1, sm_igt(steps, SM_I4(-2))), closer);
   steps = (vec_int4)((vec_uint4)steps & ~(sm_fis_special(x) | sm_fis_special(y)));
   for (; sm_any(sm_igt(steps, SM_I4(-1))); steps -= SM_I4(1)) {
     const vec_uint4 active = sm_igt(steps, SM_I4(-1));

@@ -15,7 +15,9 @@ SM_INLINE vec_uint4 sm_fbits_below_one(vec_float4 x) {
   return sm_usel(bits, SM_F_MAGNITUDE, sm_igt(SM_I4(0x3f800000), sm_fbits(x)));
 }
 
-static inline vec_float4 _truncf4(vec_float4 x) { return (vec_float4)((vec_uint4)x & ~sm_fbits_below_one(x)); }
+static inline vec_float4 _truncf4(vec_float4 x) {
+  return (vec_float4)((vec_uint4)x & ~sm_fbits_below_one(x));
+}
 
 /* The whole part, one further from zero where the mask says so; a sum of whole numbers is exact. */
 SM_INLINE vec_float4 sm_ftruncated_and_one(vec_float4 x, vec_uint4 mask) {
@@ -40,8 +42,8 @@ static inline vec_float4 _roundf4(vec_float4 x) {
   const vec_uint4 fraction = sm_fbits_below_one(x);
   const vec_uint4 half_bit = fraction & ~(fraction >> 1);
   const vec_uint4 small = sm_igt(SM_I4(0x3f800000), sm_fbits(x));
-  const vec_uint4 half = sm_usel(~sm_ueq((vec_uint4)x & half_bit, SM_U4(0)),
-                                 sm_igt(sm_fbits(x), SM_I4(0x3effffff)), small);
+  const vec_uint4 half =
+      sm_usel(~sm_ueq((vec_uint4)x & half_bit, SM_U4(0)), sm_igt(sm_fbits(x), SM_I4(0x3effffff)), small);
   return sm_ftruncated_and_one(x, half);
 }
 
@@ -53,9 +55,15 @@ static inline vec_float4 _rintf4(vec_float4 x) {
   return sm_fsigned(sm_fabs(vec_round(x)), sm_fsign(x));
 #endif
 }
-static inline vec_float4 _nearbyintf4(vec_float4 x) { return _rintf4(x); }
-static inline vec_int4 _irintf4(vec_float4 x) { return sm_ftoi(_rintf4(x)); }
-static inline vec_int4 _iroundf4(vec_float4 x) { return sm_ftoi(_roundf4(x)); }
+static inline vec_float4 _nearbyintf4(vec_float4 x) {
+  return _rintf4(x);
+}
+static inline vec_int4 _irintf4(vec_float4 x) {
+  return sm_ftoi(_rintf4(x));
+}
+static inline vec_int4 _iroundf4(vec_float4 x) {
+  return sm_ftoi(_roundf4(x));
+}
 
 #ifdef __SPU__
 
@@ -82,8 +90,12 @@ SM_INLINE llroundf4_t sm_wholes_to_ll(vec_float4 x) {
   return result;
 }
 
-static inline llroundf4_t _llrintf4(vec_float4 x) { return sm_wholes_to_ll(_rintf4(x)); }
-static inline llroundf4_t _llroundf4(vec_float4 x) { return sm_wholes_to_ll(_roundf4(x)); }
+static inline llroundf4_t _llrintf4(vec_float4 x) {
+  return sm_wholes_to_ll(_rintf4(x));
+}
+static inline llroundf4_t _llroundf4(vec_float4 x) {
+  return sm_wholes_to_ll(_roundf4(x));
+}
 
 /* For magnitudes below 2^31. */
 static inline vec_float4 _floorf4_fast(vec_float4 x) {

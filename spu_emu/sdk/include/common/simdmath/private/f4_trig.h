@@ -13,7 +13,8 @@ typedef struct sm_fangle {
 } sm_fangle;
 
 /* Elements from 2^18 on, one by one. Not inlined: programs that have none only carry it. */
-static __attribute__((noinline, unused)) void sm_freduce_large(vec_float4 x, vec_uint4 which, sm_fangle* angle) {
+static __attribute__((noinline, unused)) void sm_freduce_large(vec_float4 x, vec_uint4 which,
+                                                               sm_fangle* angle) {
   union {
     vec_uint4 all;
     unsigned int element[4];
@@ -63,10 +64,17 @@ SM_INLINE sm_fangle sm_freduce(vec_float4 x) {
   const vec_int4 k = sm_fnearest(sm_fmul(moderate, SM_F4(0x1.45f306p-1f)));
   const vec_float4 multiple = sm_itof(k);
   const vec_float4 rest = sm_fnmsub(multiple, SM_F4(0x1.921fb6p0f), moderate);
+  /* rest less multiple * second, each of them as two numbers: they may nearly cancel. */
   const vec_float4 second = SM_F4(-0x1.777a5cp-25f);
+  const vec_float4 product = sm_fmul(multiple, second);
+  const vec_float4 product_low = sm_fneg(sm_fnmsub(multiple, second, product));
+  const vec_uint4 swapped = sm_igt(sm_fbits(product), sm_fbits(rest));
+  const vec_float4 larger = sm_fsel(rest, sm_fneg(product), swapped);
+  const vec_float4 smaller = sm_fsel(sm_fneg(product), rest, swapped);
   angle.quarter = (vec_uint4)k;
-  angle.high = sm_fnmsub(multiple, second, rest);
-  angle.low = sm_fnmsub(multiple, SM_F4(-0x1.ee59dap-50f), sm_fnmsub(multiple, second, sm_fsub(rest, angle.high)));
+  angle.high = sm_fadd(larger, smaller);
+  angle.low = sm_fsub(sm_fsub(smaller, sm_fsub(angle.high, larger)),
+                      sm_fmadd(multiple, SM_F4(-0x1.ee59dap-50f), product_low));
   if (__builtin_expect(sm_any(large & ~sm_fis_special(x)), 0)) {
     sm_freduce_large(x, large & ~sm_fis_special(x), &angle);
   }
@@ -80,7 +88,8 @@ SM_INLINE vec_float4 sm_fsin_near(sm_fangle a) {
 }
 SM_INLINE vec_float4 sm_fcos_near(sm_fangle a) {
   const vec_float4 square = sm_fmul(a.high, a.high);
-  const vec_float4 tail = sm_fmadd(sm_fmul(square, square), sm_poly_cos_f4(square), sm_fneg(sm_fmul(a.high, a.low)));
+  const vec_float4 tail =
+      sm_fmadd(sm_fmul(square, square), sm_poly_cos_f4(square), sm_fneg(sm_fmul(a.high, a.low)));
   return sm_fadd(sm_fmadd(square, SM_F4(-0.5f), SM_F4(1.0f)), tail);
 }
 

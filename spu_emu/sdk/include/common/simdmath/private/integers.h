@@ -9,8 +9,12 @@ SM_INLINE vec_uint4 sm_umagnitude(vec_int4 x) {
   return ((vec_uint4)x ^ negative) - negative;
 }
 
-static inline vec_int4 _negatei4(vec_int4 x) { return (vec_int4)(SM_U4(0) - (vec_uint4)x); }
-static inline vec_int4 _absi4(vec_int4 x) { return (vec_int4)sm_umagnitude(x); }
+static inline vec_int4 _negatei4(vec_int4 x) {
+  return (vec_int4)(SM_U4(0) - (vec_uint4)x);
+}
+static inline vec_int4 _absi4(vec_int4 x) {
+  return (vec_int4)sm_umagnitude(x);
+}
 
 /* The quotient by a factor that is a little less than 1 / divisor; never too large. */
 SM_INLINE vec_uint4 sm_uquotient_below(vec_uint4 a, vec_float4 recip) {
@@ -60,7 +64,9 @@ static inline divi4_t _divi4(vec_int4 dividend, vec_int4 divisor) {
 
 #ifdef __SPU__
 
-static inline vec_llong2 _negatell2(vec_llong2 x) { return (vec_llong2)((vec_ullong2){0, 0} - (vec_ullong2)x); }
+static inline vec_llong2 _negatell2(vec_llong2 x) {
+  return (vec_llong2)((vec_ullong2){0, 0} - (vec_ullong2)x);
+}
 
 SM_INLINE unsigned long long sm_llmagnitude(long long x) {
   return x < 0 ? 0 - (unsigned long long)x : (unsigned long long)x;
@@ -71,8 +77,10 @@ static inline vec_llong2 _llabsi2(vec_llong2 x) {
 
 static inline lldivu2_t _lldivu2(vec_ullong2 dividend, vec_ullong2 divisor) {
   lldivu2_t result;
-  result.quot = (vec_ullong2){divisor[0] == 0 ? 0 : dividend[0] / divisor[0], divisor[1] == 0 ? 0 : dividend[1] / divisor[1]};
-  result.rem = (vec_ullong2){dividend[0] - result.quot[0] * divisor[0], dividend[1] - result.quot[1] * divisor[1]};
+  result.quot = (vec_ullong2){divisor[0] == 0 ? 0 : dividend[0] / divisor[0],
+                              divisor[1] == 0 ? 0 : dividend[1] / divisor[1]};
+  result.rem =
+      (vec_ullong2){dividend[0] - result.quot[0] * divisor[0], dividend[1] - result.quot[1] * divisor[1]};
   return result;
 }
 
@@ -82,11 +90,11 @@ SM_INLINE unsigned long long sm_llwith_sign(unsigned long long magnitude, int ne
 static inline lldivi2_t _lldivi2(vec_llong2 dividend, vec_llong2 divisor) {
   const lldivu2_t magnitudes = _lldivu2((vec_ullong2)_llabsi2(dividend), (vec_ullong2)_llabsi2(divisor));
   lldivi2_t result;
-  result.quot = (vec_llong2)(vec_ullong2){
-      sm_llwith_sign(magnitudes.quot[0], (dividend[0] < 0) != (divisor[0] < 0)),
-      sm_llwith_sign(magnitudes.quot[1], (dividend[1] < 0) != (divisor[1] < 0))};
+  result.quot =
+      (vec_llong2)(vec_ullong2){sm_llwith_sign(magnitudes.quot[0], (dividend[0] < 0) != (divisor[0] < 0)),
+                                sm_llwith_sign(magnitudes.quot[1], (dividend[1] < 0) != (divisor[1] < 0))};
   result.rem = (vec_llong2)(vec_ullong2){sm_llwith_sign(magnitudes.rem[0], dividend[0] < 0),
-                                       sm_llwith_sign(magnitudes.rem[1], dividend[1] < 0)};
+                                         sm_llwith_sign(magnitudes.rem[1], dividend[1] < 0)};
   return result;
 }
 

@@ -2,8 +2,8 @@
 #ifndef SPU_EMU_SIMDMATH_TWO_OVER_PI_H
 #define SPU_EMU_SIMDMATH_TWO_OVER_PI_H
 
-/* An angle in quarters of a turn: quarter + (negative ? -1 : 1) * (high + low / 2^64) * 2^exponent, the last part at most
- * a half. The highest bit of high is set. */
+/* An angle in quarters of a turn: quarter + (negative ? -1 : 1) * (high + low / 2^64) * 2^exponent, the last
+ * part at most a half. The highest bit of high is set. */
 typedef struct sm_quarters {
   unsigned int quarter;
   int negative;
@@ -25,8 +25,10 @@ static inline const unsigned int* sm_two_over_pi(int first) {
   return digits + first;
 }
 
-/* product, lowest word first, = significand * the window of 2 / pi; what is above its words is multiples of a turn. */
-static inline void sm_times_window(unsigned long long significand, const unsigned int* window, unsigned int* product) {
+/* product, lowest word first, = significand * the window of 2 / pi; what is above its words is multiples of a
+ * turn. */
+static inline void sm_times_window(unsigned long long significand, const unsigned int* window,
+                                   unsigned int* product) {
   const unsigned int parts[2] = {(unsigned int)significand, (unsigned int)(significand >> 32)};
   int i, j;
   for (i = 0; i < sm_window_words + 2; ++i) product[i] = 0;

@@ -18,69 +18,150 @@
 
 #ifdef __SPU__
 
-/* The largest number stands for what is too large, and for what has no value: there is no infinity and no NaN. */
+/* The largest number stands for what is too large, and for what has no value: there is no infinity and no
+ * NaN. */
 #define SM_F_HUGE SM_U4(0x7fffffffu)
 #define SM_F_NOTHING SM_U4(0x7fffffffu)
 
-SM_INLINE vec_float4 sm_fadd(vec_float4 a, vec_float4 b) { return spu_add(a, b); }
-SM_INLINE vec_float4 sm_fsub(vec_float4 a, vec_float4 b) { return spu_sub(a, b); }
-SM_INLINE vec_float4 sm_fmul(vec_float4 a, vec_float4 b) { return spu_mul(a, b); }
+SM_INLINE vec_float4 sm_fadd(vec_float4 a, vec_float4 b) {
+  return spu_add(a, b);
+}
+SM_INLINE vec_float4 sm_fsub(vec_float4 a, vec_float4 b) {
+  return spu_sub(a, b);
+}
+SM_INLINE vec_float4 sm_fmul(vec_float4 a, vec_float4 b) {
+  return spu_mul(a, b);
+}
 /* a * b + c, c - a * b: rounded once. */
-SM_INLINE vec_float4 sm_fmadd(vec_float4 a, vec_float4 b, vec_float4 c) { return spu_madd(a, b, c); }
-SM_INLINE vec_float4 sm_fnmsub(vec_float4 a, vec_float4 b, vec_float4 c) { return spu_nmsub(a, b, c); }
+SM_INLINE vec_float4 sm_fmadd(vec_float4 a, vec_float4 b, vec_float4 c) {
+  return spu_madd(a, b, c);
+}
+SM_INLINE vec_float4 sm_fnmsub(vec_float4 a, vec_float4 b, vec_float4 c) {
+  return spu_nmsub(a, b, c);
+}
 /* About 12 bits of 1 / a and 1 / sqrt(a). */
-SM_INLINE vec_float4 sm_frecip_guess(vec_float4 a) { return spu_re(a); }
-SM_INLINE vec_float4 sm_frsqrt_guess(vec_float4 a) { return spu_rsqrte(a); }
-SM_INLINE vec_uint4 sm_fgt(vec_float4 a, vec_float4 b) { return spu_cmpgt(a, b); }
-SM_INLINE vec_uint4 sm_feq(vec_float4 a, vec_float4 b) { return spu_cmpeq(a, b); }
+SM_INLINE vec_float4 sm_frecip_guess(vec_float4 a) {
+  return spu_re(a);
+}
+SM_INLINE vec_float4 sm_frsqrt_guess(vec_float4 a) {
+  return spu_rsqrte(a);
+}
+SM_INLINE vec_uint4 sm_fgt(vec_float4 a, vec_float4 b) {
+  return spu_cmpgt(a, b);
+}
+SM_INLINE vec_uint4 sm_feq(vec_float4 a, vec_float4 b) {
+  return spu_cmpeq(a, b);
+}
 /* b where the mask is set, a elsewhere. */
-SM_INLINE vec_float4 sm_fsel(vec_float4 a, vec_float4 b, vec_uint4 mask) { return spu_sel(a, b, mask); }
-SM_INLINE vec_uint4 sm_usel(vec_uint4 a, vec_uint4 b, vec_uint4 mask) { return spu_sel(a, b, mask); }
-SM_INLINE vec_uint4 sm_igt(vec_int4 a, vec_int4 b) { return spu_cmpgt(a, b); }
-SM_INLINE vec_uint4 sm_ugt(vec_uint4 a, vec_uint4 b) { return spu_cmpgt(a, b); }
-SM_INLINE vec_uint4 sm_ueq(vec_uint4 a, vec_uint4 b) { return spu_cmpeq(a, b); }
+SM_INLINE vec_float4 sm_fsel(vec_float4 a, vec_float4 b, vec_uint4 mask) {
+  return spu_sel(a, b, mask);
+}
+SM_INLINE vec_uint4 sm_usel(vec_uint4 a, vec_uint4 b, vec_uint4 mask) {
+  return spu_sel(a, b, mask);
+}
+SM_INLINE vec_uint4 sm_igt(vec_int4 a, vec_int4 b) {
+  return spu_cmpgt(a, b);
+}
+SM_INLINE vec_uint4 sm_ugt(vec_uint4 a, vec_uint4 b) {
+  return spu_cmpgt(a, b);
+}
+SM_INLINE vec_uint4 sm_ueq(vec_uint4 a, vec_uint4 b) {
+  return spu_cmpeq(a, b);
+}
 /* Toward zero, limited to what an int holds. */
-SM_INLINE vec_int4 sm_ftoi(vec_float4 a) { return spu_convts(a, 0); }
-SM_INLINE vec_float4 sm_itof(vec_int4 a) { return spu_convtf(a, 0); }
-SM_INLINE int sm_any(vec_uint4 mask) { return spu_extract(spu_gather(mask), 0) != 0; }
+SM_INLINE vec_int4 sm_ftoi(vec_float4 a) {
+  return spu_convts(a, 0);
+}
+SM_INLINE vec_float4 sm_itof(vec_int4 a) {
+  return spu_convtf(a, 0);
+}
+SM_INLINE int sm_any(vec_uint4 mask) {
+  return spu_extract(spu_gather(mask), 0) != 0;
+}
 
 #else
 
 #define SM_F_HUGE SM_U4(0x7f800000u)
 #define SM_F_NOTHING SM_U4(0x7fc00000u)
 
-SM_INLINE vec_float4 sm_fadd(vec_float4 a, vec_float4 b) { return vec_add(a, b); }
-SM_INLINE vec_float4 sm_fsub(vec_float4 a, vec_float4 b) { return vec_sub(a, b); }
-SM_INLINE vec_float4 sm_fmul(vec_float4 a, vec_float4 b) { return vec_madd(a, b, SM_F4(-0.0f)); }
-SM_INLINE vec_float4 sm_fmadd(vec_float4 a, vec_float4 b, vec_float4 c) { return vec_madd(a, b, c); }
-SM_INLINE vec_float4 sm_fnmsub(vec_float4 a, vec_float4 b, vec_float4 c) { return vec_nmsub(a, b, c); }
-SM_INLINE vec_float4 sm_frecip_guess(vec_float4 a) { return vec_re(a); }
-SM_INLINE vec_float4 sm_frsqrt_guess(vec_float4 a) { return vec_rsqrte(a); }
-SM_INLINE vec_uint4 sm_fgt(vec_float4 a, vec_float4 b) { return (vec_uint4)vec_cmpgt(a, b); }
-SM_INLINE vec_uint4 sm_feq(vec_float4 a, vec_float4 b) { return (vec_uint4)vec_cmpeq(a, b); }
-SM_INLINE vec_float4 sm_fsel(vec_float4 a, vec_float4 b, vec_uint4 mask) { return vec_sel(a, b, mask); }
-SM_INLINE vec_uint4 sm_usel(vec_uint4 a, vec_uint4 b, vec_uint4 mask) { return vec_sel(a, b, mask); }
-SM_INLINE vec_uint4 sm_igt(vec_int4 a, vec_int4 b) { return (vec_uint4)vec_cmpgt(a, b); }
-SM_INLINE vec_uint4 sm_ugt(vec_uint4 a, vec_uint4 b) { return (vec_uint4)vec_cmpgt(a, b); }
-SM_INLINE vec_uint4 sm_ueq(vec_uint4 a, vec_uint4 b) { return (vec_uint4)vec_cmpeq(a, b); }
-SM_INLINE vec_int4 sm_ftoi(vec_float4 a) { return vec_cts(a, 0); }
-SM_INLINE vec_float4 sm_itof(vec_int4 a) { return vec_ctf(a, 0); }
-SM_INLINE int sm_any(vec_uint4 mask) { return vec_any_ne(mask, SM_U4(0)); }
+SM_INLINE vec_float4 sm_fadd(vec_float4 a, vec_float4 b) {
+  return vec_add(a, b);
+}
+SM_INLINE vec_float4 sm_fsub(vec_float4 a, vec_float4 b) {
+  return vec_sub(a, b);
+}
+SM_INLINE vec_float4 sm_fmul(vec_float4 a, vec_float4 b) {
+  return vec_madd(a, b, SM_F4(-0.0f));
+}
+SM_INLINE vec_float4 sm_fmadd(vec_float4 a, vec_float4 b, vec_float4 c) {
+  return vec_madd(a, b, c);
+}
+SM_INLINE vec_float4 sm_fnmsub(vec_float4 a, vec_float4 b, vec_float4 c) {
+  return vec_nmsub(a, b, c);
+}
+SM_INLINE vec_float4 sm_frecip_guess(vec_float4 a) {
+  return vec_re(a);
+}
+SM_INLINE vec_float4 sm_frsqrt_guess(vec_float4 a) {
+  return vec_rsqrte(a);
+}
+SM_INLINE vec_uint4 sm_fgt(vec_float4 a, vec_float4 b) {
+  return (vec_uint4)vec_cmpgt(a, b);
+}
+SM_INLINE vec_uint4 sm_feq(vec_float4 a, vec_float4 b) {
+  return (vec_uint4)vec_cmpeq(a, b);
+}
+SM_INLINE vec_float4 sm_fsel(vec_float4 a, vec_float4 b, vec_uint4 mask) {
+  return vec_sel(a, b, mask);
+}
+SM_INLINE vec_uint4 sm_usel(vec_uint4 a, vec_uint4 b, vec_uint4 mask) {
+  return vec_sel(a, b, mask);
+}
+SM_INLINE vec_uint4 sm_igt(vec_int4 a, vec_int4 b) {
+  return (vec_uint4)vec_cmpgt(a, b);
+}
+SM_INLINE vec_uint4 sm_ugt(vec_uint4 a, vec_uint4 b) {
+  return (vec_uint4)vec_cmpgt(a, b);
+}
+SM_INLINE vec_uint4 sm_ueq(vec_uint4 a, vec_uint4 b) {
+  return (vec_uint4)vec_cmpeq(a, b);
+}
+SM_INLINE vec_int4 sm_ftoi(vec_float4 a) {
+  return vec_cts(a, 0);
+}
+SM_INLINE vec_float4 sm_itof(vec_int4 a) {
+  return vec_ctf(a, 0);
+}
+SM_INLINE int sm_any(vec_uint4 mask) {
+  return vec_any_ne(mask, SM_U4(0));
+}
 
 #endif
 
-SM_INLINE vec_float4 sm_fabs(vec_float4 x) { return (vec_float4)((vec_uint4)x & SM_F_MAGNITUDE); }
-SM_INLINE vec_float4 sm_fneg(vec_float4 x) { return (vec_float4)((vec_uint4)x ^ SM_F_SIGN); }
-SM_INLINE vec_uint4 sm_fsign(vec_float4 x) { return (vec_uint4)x & SM_F_SIGN; }
+SM_INLINE vec_float4 sm_fabs(vec_float4 x) {
+  return (vec_float4)((vec_uint4)x & SM_F_MAGNITUDE);
+}
+SM_INLINE vec_float4 sm_fneg(vec_float4 x) {
+  return (vec_float4)((vec_uint4)x ^ SM_F_SIGN);
+}
+SM_INLINE vec_uint4 sm_fsign(vec_float4 x) {
+  return (vec_uint4)x & SM_F_SIGN;
+}
 /* The magnitude with the signs. */
 SM_INLINE vec_float4 sm_fsigned(vec_float4 magnitude, vec_uint4 signs) {
   return (vec_float4)((vec_uint4)magnitude | signs);
 }
-SM_INLINE vec_int4 sm_fexponent(vec_float4 x) { return (vec_int4)(((vec_uint4)x & SM_F_EXPONENT) >> 23); }
+SM_INLINE vec_int4 sm_fexponent(vec_float4 x) {
+  return (vec_int4)(((vec_uint4)x & SM_F_EXPONENT) >> 23);
+}
 /* Compares of magnitudes as integers, which order all of them. */
-SM_INLINE vec_int4 sm_fbits(vec_float4 x) { return (vec_int4)((vec_uint4)x & SM_F_MAGNITUDE); }
+SM_INLINE vec_int4 sm_fbits(vec_float4 x) {
+  return (vec_int4)((vec_uint4)x & SM_F_MAGNITUDE);
+}
 /* Every number with exponent 0 is zero: to the SPU, and to AltiVec as Linux sets it. */
-SM_INLINE vec_uint4 sm_fis_zero(vec_float4 x) { return sm_ueq((vec_uint4)x & SM_F_EXPONENT, SM_U4(0)); }
+SM_INLINE vec_uint4 sm_fis_zero(vec_float4 x) {
+  return sm_ueq((vec_uint4)x & SM_F_EXPONENT, SM_U4(0));
+}
 
 /* All ones for a NaN, and for an infinity or NaN; the SPU has neither. */
 SM_INLINE vec_uint4 sm_fis_nan(vec_float4 x) {
