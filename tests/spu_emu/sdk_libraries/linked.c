@@ -1,4 +1,5 @@
-/* In the C of old programs: one function from the library, one compiled in, the small libraries. Exit code 0 if all is right. */
+/* In the C of old programs: one function from the library, one compiled in, the small libraries. Exit code 0
+ * if all is right. */
 #include <cosf4.h>
 #include <libmisc.h>
 #include <massv.h>
