@@ -7,7 +7,7 @@ if(SPU_EMU_HOST_ENGINE)
   install(TARGETS spu_emu_compile EXPORT spu_emu_targets RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/spu_emu)
 endif()
 install(EXPORT spu_emu_targets NAMESPACE spu_emu:: DESTINATION ${package_dir})
-install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/spu_emu)
+install(DIRECTORY include/ sdk/include/common/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/spu_emu)
 install(DIRECTORY runtime/ DESTINATION ${CMAKE_INSTALL_DATADIR}/spu_emu/runtime)
 install(FILES cmake/add_spu_program.cmake cmake/spu_elf.cmake cmake/spu_elf_report.cmake DESTINATION ${package_dir})
 
