@@ -103,6 +103,8 @@ compile() {
   done
   # An archive before the objects that use it gives nothing.
   if [ -n "$static" ] && [ -n "$spe2" ]; then line+=(-lspe2); fi
+  # Square roots and conversions of ppu_intrinsics.h are functions there.
+  if [ $side/$stage = ppu32/link ]; then line+=(-lm); fi
   # Without sources nothing is there to be refused.
   if [ ${#sources[@]} -eq 0 ]; then exec "${line[@]}"; fi
   [ -t 2 ] && color=(-fdiagnostics-color=always)

@@ -11,11 +11,6 @@
 
 #if !defined(__powerpc64__)
 #undef __dcbz
-#undef __fsqrt
-#undef __fsqrts
-#undef __fctid
-#undef __fctidz
-#undef __fcfid
 
 /* Of the line of 128 bytes that the address lies in. */
 static __inline__ void __dcbz(void* base) {
@@ -23,21 +18,26 @@ static __inline__ void __dcbz(void* base) {
   int part;
   for (part = 0; part < 128; part += 32) __asm__ volatile("dcbz 0,%0" : : "r"(line + part) : "memory");
 }
-static __inline__ double __fsqrt(double x) {
+static __inline__ double cell_fsqrt(double x) {
   return __builtin_sqrt(x);
 }
-static __inline__ float __fsqrts(float x) {
+static __inline__ float cell_fsqrts(float x) {
   return __builtin_sqrtf(x);
 }
-static __inline__ long long __fctid(double x) {
+static __inline__ long long cell_fctid(double x) {
   return __builtin_llrint(x);
 }
-static __inline__ long long __fctidz(double x) {
+static __inline__ long long cell_fctidz(double x) {
   return (long long)x;
 }
-static __inline__ double __fcfid(long long x) {
+static __inline__ double cell_fcfid(long long x) {
   return (double)x;
 }
+#define __fsqrt(x) cell_fsqrt(x)
+#define __fsqrts(x) cell_fsqrts(x)
+#define __fctid(x) cell_fctid(x)
+#define __fctidz(x) cell_fctidz(x)
+#define __fcfid(x) cell_fcfid(x)
 #endif
 
 #endif
