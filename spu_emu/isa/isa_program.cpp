@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <stdexcept>
 
 #include "isa/encoding/disassembler.h"
 #include "isa/timing/code_ranges.h"
 #include "mfc/format.h"
+#include "spe/debugger_choice.h"
 
 namespace spu_emu::isa {
 
@@ -41,11 +43,25 @@ LoadResult IsaProgram::load(Spe& spe, std::span<const std::byte> file) {
   program->symbols_ = std::move(elf.program->symbols);
   if (program->cycles_) program->cycles_->set_code(code_ranges(program->symbols_, elf.program->end));
   program->note_progress();
+  try {
+    program->attach_debugger(file);
+  } catch (const std::runtime_error& error) {
+    return {nullptr, ENOENT, error.what()};
+  } catch (const std::invalid_argument& error) {
+    return {nullptr, EINVAL, error.what()};
+  }
   return {std::move(program), 0, {}};
+}
+
+void IsaProgram::attach_debugger(std::span<const std::byte> file) {
+  const auto chosen = debugger_of(spe_.settings(), spe_.number());
+  if (!chosen) return;
+  debugger_ = std::make_unique<Debugger>(spe_, machine_, store_.bytes(), chosen->commands, symbols_, file);
 }
 
 void IsaProgram::store_written(std::uint32_t ls, std::uint32_t size) noexcept {
   machine_.local_store_written(ls, size);
+  if (debugger_) debugger_->store_written();
 }
 
 void IsaProgram::set_doubleword(unsigned reg, std::uint64_t value) {
@@ -72,6 +88,7 @@ void IsaProgram::set_registers(const Arguments& arguments) {
 Stop IsaProgram::start(const Arguments& arguments) {
   set_registers(arguments);
   machine_.set_pc(entry_);
+  if (debugger_) debugger_->started();
   store_known_ = true;
   return run();
 }
@@ -82,11 +99,12 @@ bool IsaProgram::can_resume(unsigned int entry) const {
 
 Stop IsaProgram::resume(unsigned int entry) {
   machine_.set_pc(entry);
+  if (debugger_) debugger_->resumed();
   return run();
 }
 
 Stop IsaProgram::run() {
-  if (!store_known_) machine_.local_store_written(0, kHardwareSize);
+  if (!store_known_) store_written(0, kHardwareSize);
   store_known_ = false;
   try {
     const MachineStop stop = execute();
@@ -143,6 +161,7 @@ Stop IsaProgram::translate(const MachineStop& stop) {
 Stop IsaProgram::at_stop_instruction(const MachineStop& stop) {
   suspended_ = !is_exit(stop.code);
   stopped_at_ = (stop.pc - 4) % kHardwareSize;
+  if (is_exit(stop.code) && debugger_) debugger_->ended(stop.code & 0xffU);
   if (is_exit(stop.code)) return {Stop::Kind::exit, stop.code, 0, {}};
   if (is_library_call(stop.code)) return {Stop::Kind::library_call, stop.code, stop.pc, {}};
   return {Stop::Kind::signal, stop.code, 0, {}};
@@ -155,6 +174,7 @@ int IsaProgram::serve_library_call(const Stop& call) {
 
 /// The program is over: what is in flight never lands.
 Stop IsaProgram::end_by(const Fault& fault) {
+  if (debugger_) debugger_->failed(fault.text());
   spe_.channels().abandon();
   suspended_ = false;
   stopped_at_ = machine_.pc();

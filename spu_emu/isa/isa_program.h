@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "isa/core/machine.h"
+#include "isa/debug/debugger.h"
 #include "isa/elf/overlay_image.h"
 #include "isa/elf/program_store.h"
 #include "isa/libc/library_calls.h"
@@ -38,6 +39,7 @@ class IsaProgram final : public Program, private StoreObserver {
   CycleProfile cycle_profile() const override { return cycles_ ? cycles_->profile() : CycleProfile(); }
 
  private:
+  void attach_debugger(std::span<const std::byte> file);
   void store_written(std::uint32_t ls, std::uint32_t size) noexcept override;
   void set_registers(const Arguments& arguments);
   void set_doubleword(unsigned reg, std::uint64_t value);
@@ -54,6 +56,7 @@ class IsaProgram final : public Program, private StoreObserver {
   ProgramStore store_;
   std::unique_ptr<CycleModel> cycles_;  // when the settings ask for it
   Machine machine_;
+  std::unique_ptr<Debugger> debugger_;  // when the settings or the environment ask for it
   LibraryCalls calls_;
   OverlayImage overlays_;
   std::uint32_t entry_ = 0;

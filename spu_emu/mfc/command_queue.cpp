@@ -184,6 +184,15 @@ void CommandQueue::settle_overlaps(const Pending& pending) {
   }
 }
 
+std::vector<QueuedCommand> CommandQueue::commands() const {
+  std::vector<QueuedCommand> all;
+  for (const Pending& pending : queue_) {
+    const std::uint32_t elements = is_list(pending.command.opcode) ? pending.command.size / 8 : 0;
+    all.push_back({pending.command, pending.next_element, elements, pending.stalled});
+  }
+  return all;
+}
+
 void CommandQueue::watch(Pending& pending) {
   pending.watched = true;
   if (is_get(pending.command.opcode)) {

@@ -31,6 +31,16 @@ struct QueueSetup {
   ActivityLog* log = nullptr;
 };
 
+/// A command in a queue, for who looks at it.
+struct QueuedCommand {
+  Command command;
+  /// Of a list: elements that have moved or are about to, of `elements`. It stands still until its stall is
+  /// acknowledged when it is `stalled`.
+  std::uint32_t next_element = 0;
+  std::uint32_t elements = 0;
+  bool stalled = false;
+};
+
 /// Used by one thread at a time. Functions that land commands throw Fault when a command broke a rule; the
 /// command is gone then. In eager and unchecked mode only commands that wait for a stalled list stay in the
 /// queue.
@@ -46,6 +56,8 @@ class CommandQueue {
 
   std::uint32_t free_slots() const { return depth_ - static_cast<std::uint32_t>(queue_.size()); }
   bool empty() const { return queue_.empty(); }
+  /// All of them, the first that was issued first.
+  std::vector<QueuedCommand> commands() const;
   /// Bit n is set while a command with tag n is in the queue.
   std::uint32_t pending_tags() const;
   /// Lands every command of these tags that can land, and what must go before them.

@@ -27,6 +27,8 @@ class Events {
   void acknowledge(std::uint32_t bits) { pending_.fetch_and(~bits); }
   void set_mask(std::uint32_t mask) { mask_ = mask; }
   std::uint32_t mask() const { return mask_; }
+  /// Pending bits, whatever the mask says.
+  std::uint32_t pending() const { return pending_.load(); }
   /// Pending bits that the mask lets through.
   std::uint32_t status() const { return pending_.load() & mask_; }
 

@@ -24,6 +24,13 @@ void Mailbox::write_over(std::uint32_t message) {
   }
 }
 
+std::vector<std::uint32_t> Mailbox::messages() {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::uint32_t> all;
+  for (unsigned i = 0; i < count(); ++i) all.push_back(messages_[(first_ + i) % capacity_]);
+  return all;
+}
+
 bool Mailbox::try_read(std::uint32_t& message) {
   if (count() == 0) return false;
   const std::lock_guard lock(mutex_);

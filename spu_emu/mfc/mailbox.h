@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <vector>
 
 namespace spu_emu {
 
@@ -25,6 +26,9 @@ class Mailbox {
   bool try_read(std::uint32_t& message);
 
   unsigned count() const { return count_.load(std::memory_order_acquire); }
+  unsigned capacity() const { return capacity_; }
+  /// The messages that nobody has read yet, the next one first; they stay.
+  std::vector<std::uint32_t> messages();
   unsigned space() const { return capacity_ - count(); }
 
  private:

@@ -20,11 +20,17 @@ class SignalRegister {
   void write(std::uint32_t value);
   /// False when nothing was written since the last read; else the word, which is 0 afterwards.
   bool try_read(std::uint32_t& value);
+  /// The word as it is, unread.
+  std::uint32_t value() const {
+    const std::lock_guard lock(mutex_);
+    return value_;
+  }
+  SignalMode mode() const { return mode_; }
   bool pending() const { return pending_.load(std::memory_order_acquire); }
 
  private:
   const SignalMode mode_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::uint32_t value_ = 0;
   std::atomic<bool> pending_{false};
 };

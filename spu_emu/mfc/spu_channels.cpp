@@ -283,11 +283,10 @@ std::uint32_t SpuChannels::read_event_status(SourceLine where) {
   queue_.land_stores();
   if (!progress_for_events(where)) {
     const WaitSpan span(log_, "wait for events");
+    const Waiting waiting(wait_state_, "wait for events");
     counters_.event_waits.add(1);
-    while (!changed_.wait_until([&] { return events_.status() != 0; }, std::min(next_poll(), deadline_))) {
-      if (std::chrono::steady_clock::now() >= deadline_) {
-        fail_deadline("wait for events");
-      }
+    while (!changed_.wait_until([&] { return events_.status() != 0; }, std::min(next_poll(), next_look()))) {
+      tell_of_wait("wait for events");
       poll_events();
     }
   }

@@ -17,6 +17,7 @@
 #include "mfc/spe_directory.h"
 #include "mfc/statistics.h"
 #include "mfc/tag_table.h"
+#include "mfc/wait_listener.h"
 #include "mfc/wait_point.h"
 
 namespace spu_emu {
@@ -51,13 +52,28 @@ class SpuChannels final : public ProblemState {
   void finish() { queue_.land_all(); }
   /// From here on a read or write that has waited until then is a fault.
   void set_deadline(WaitPoint::Time deadline) { deadline_ = deadline; }
+  /// Told of waits from here on; outlives the channels. Null for nobody.
+  void set_wait_listener(WaitListener* listener) { wait_listener_ = listener; }
   /// The program is gone: what is in flight never lands.
   void abandon() { queue_.clear(); }
   TagTable& tags() { return tags_; }
   /// Another local store from here on; nothing is in flight.
   void use_store(LocalStoreView& store) { queue_.use_store(store); }
 
+  // What a debugger looks at, on the SPU's own thread.
+  const CommandQueue& queue() const { return queue_; }
+  /// The command whose parameters the program is writing.
+  const Command& next_command() const { return next_; }
+  std::uint32_t tag_mask() const { return tag_mask_; }
+  std::optional<std::uint32_t> tag_update() const { return tag_update_; }
+  std::optional<std::uint32_t> tag_status() const { return tag_status_; }
+  const Events& events() const { return events_; }
+  DmaMode mode() const { return mode_; }
+
   // The other side.
+  /// What the SPU waits for, if it does.
+  std::optional<WaitState::Wait> waiting() const { return wait_state_.now(); }
+  const SignalRegister& signal_register(unsigned index) const { return signals_[index]; }
   Mailbox& in_mailbox() { return in_; }
   Mailbox& out_mailbox() { return out_; }
   Mailbox& out_interrupt_mailbox() { return out_interrupt_; }
@@ -94,6 +110,8 @@ class SpuChannels final : public ProblemState {
   void poll_events();
   bool progress_for_events(SourceLine where);
   WaitPoint::Time next_poll() const;
+  WaitPoint::Time next_look() const;
+  void tell_of_wait(const char* what);
   unsigned read_mailbox(Mailbox& mailbox, std::uint32_t event, std::uint32_t* messages, unsigned count);
   std::uint32_t done_tags() const { return queue_.empty() ? tag_mask_ : tag_mask_ & ~queue_.pending_tags(); }
   void set_tag_status();
@@ -103,6 +121,8 @@ class SpuChannels final : public ProblemState {
   ActivityLog* log_;
   WaitPoint changed_;
   WaitPoint::Time deadline_ = WaitPoint::Time::max();
+  WaitListener* wait_listener_ = nullptr;
+  WaitState wait_state_;
   Events events_;
   ChannelCounters counters_;
   CommandQueue queue_;

@@ -1,4 +1,6 @@
 // The mailboxes and signal registers of SpuChannels, from the SPU's side and from the other one.
+#include <algorithm>
+
 #include "mfc/fault.h"
 #include "mfc/format.h"
 #include "mfc/spu_channels.h"
@@ -10,12 +12,25 @@ void SpuChannels::fail_deadline(const char* what) const {
   throw Fault(Rule::time_limit, format("SPE %u's program still waits when its time is over: %s", spe_, what));
 }
 
+/// When a sleeping SPU must look again whatever happens: at its deadline, and often where somebody listens.
+WaitPoint::Time SpuChannels::next_look() const {
+  constexpr std::chrono::milliseconds kBetweenLooks(20);
+  if (wait_listener_ == nullptr) return deadline_;
+  return std::min<WaitPoint::Time>(deadline_, std::chrono::steady_clock::now() + kBetweenLooks);
+}
+
+/// Fails when the program's time is over.
+void SpuChannels::tell_of_wait(const char* what) {
+  if (std::chrono::steady_clock::now() >= deadline_) fail_deadline(what);
+  if (wait_listener_ != nullptr) wait_listener_->still_waiting(what);
+}
+
 /// Sleeps until the other side acts, or the program's time is over.
 template <class Ready>
 void SpuChannels::wait_until_ready(const char* what, Ready&& ready) {
   const WaitSpan span(log_, what);
-  if (changed_.wait_until(ready, deadline_)) return;
-  fail_deadline(what);
+  const Waiting waiting(wait_state_, what);
+  while (!changed_.wait_until(ready, next_look())) tell_of_wait(what);
 }
 
 std::uint32_t SpuChannels::read_in_mailbox() {

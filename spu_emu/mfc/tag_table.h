@@ -20,6 +20,8 @@ class TagTable {
   std::uint32_t reserve(std::uint32_t count);
   /// kValid when all of them were reserved and are now free; else kInvalid, and nothing changes.
   std::uint32_t release(std::uint32_t tag, std::uint32_t count);
+  /// Bit n is set while tag n is reserved.
+  std::uint32_t reserved() const { return reserved_; }
 
  private:
   std::uint32_t reserved_ = 0;

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "mfc/format.h"
+#include "spe/spe_list.h"
 
 namespace spu_emu {
 
@@ -45,9 +46,11 @@ Spe::Spe(const EmulationSettings& settings, unsigned int flags, WaitPoint* event
       channels_(empty_store_, timebase_, channel_setup(settings, flags, number_, trace_, event_point)),
       proxy_(empty_store_, {Issuer::proxy, settings.dma_mode, settings.seed + 2, nullptr, nullptr}) {
   use_store(empty_store_);
+  SpeList::instance().add(*this);
 }
 
 Spe::~Spe() {
+  SpeList::instance().remove(*this);
   unload();
   SpeDirectory::instance().remove(reinterpret_cast<std::uintptr_t>(arena_.base()));
 }
@@ -96,11 +99,20 @@ void Spe::set_deadline(WaitPoint::Time begin) {
   channels_.set_deadline(deadline_);
 }
 
+void Spe::add_time(std::chrono::steady_clock::duration time) {
+  if (settings_.time_limit.count() == 0) return;
+  time_used_ -= time;
+  deadline_ += time;
+  channels_.set_deadline(deadline_);
+}
+
 template <class Run>
 Stop Spe::traced(Run&& run) {
   const TraceTime begin = std::chrono::steady_clock::now();
   set_deadline(begin);
+  runs_.store(true, std::memory_order_relaxed);
   const Stop stop = run();
+  runs_.store(false, std::memory_order_relaxed);
   if (settings_.time_limit.count() != 0) time_used_ += std::chrono::steady_clock::now() - begin;
   if (settings_.trace) trace_.run(begin);
   return stop;

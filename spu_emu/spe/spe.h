@@ -5,6 +5,8 @@
 
 #include <libspe2-types.h>
 
+#include <atomic>
+#include <chrono>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -42,6 +44,10 @@ class Spe {
   unsigned number() const { return number_; }
   /// When the program that runs has used up its time.
   WaitPoint::Time deadline() const { return deadline_; }
+  /// The program that runs has so much more time: somebody kept it standing. By its own thread.
+  void add_time(std::chrono::steady_clock::duration time);
+  /// Whether a thread is in start or resume. Any thread.
+  bool runs() const { return runs_.load(std::memory_order_relaxed); }
   const EmulationSettings& settings() const { return settings_; }
   Arena& arena() { return arena_; }
   SpuChannels& channels() { return channels_; }
@@ -79,6 +85,7 @@ class Spe {
   std::unique_ptr<Program> program_;
   WaitPoint::Time deadline_ = WaitPoint::Time::max();
   std::chrono::steady_clock::duration time_used_{};
+  std::atomic<bool> runs_{false};
   std::mutex fault_mutex_;
   std::string last_fault_;
 };

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "isa/debug/dwarf_lines.h"
+#include "isa/debug/line_table_text.h"
 #include "isa/elf/elf_loader.h"
 #include "spu_emu/emulation.h"
 #include "tools/cycle_table.h"
@@ -42,11 +44,14 @@ constexpr const char* kFooter =
     "  spu-run --stats --dma late --seed 7 kernel.elf input.txt 100\n"
     "  spu-run --no-files --timeout 10 stranger.elf\n"
     "  spu-run --trace run.json kernel.elf        (opens in Perfetto)\n"
-    "  spu-run --cycles --cycle-parameter sharing_spes=6 kernel.elf\n";
+    "  spu-run --cycles --cycle-parameter sharing_spes=6 kernel.elf\n"
+    "  spu-run --debug kernel.elf                 (then: help)\n"
+    "  spu-run --debug-commands stops.txt kernel.elf\n";
 
 struct Options {
   spu_emu::EmulationSettings settings;
   bool statistics = false;
+  bool list_lines = false;
   bool cycles = false;
   std::vector<std::string> cycle_parameters;
   std::string trace;
@@ -89,6 +94,21 @@ void add_options(CLI::App& app, Options& options) {
                  "Local store of this size, 256K at most")
       ->transform(CLI::AsSizeValue(false).description(""))
       ->type_name("SIZE");
+}
+
+void add_debugger_options(CLI::App& app, Options& options) {
+  app.add_flag_callback(
+      "--debug",
+      [&options] {
+        if (!options.settings.debugger) options.settings.debugger.emplace();
+      },
+      "Stop at the first instruction and ask for commands; help teaches them");
+  app.add_option_function<std::string>(
+         "--debug-commands", [&options](const std::string& file) { options.settings.debugger = {file}; },
+         "Take the debugger's commands from a file, one a line, and then run on")
+      ->type_name("FILE");
+  app.add_flag("--list-lines", options.list_lines,
+               "Print which line of source each instruction comes from (needs -g), and end");
 }
 
 void add_cycle_options(CLI::App& app, Options& options) {
@@ -139,6 +159,15 @@ std::vector<char> read_program(const std::string& name) {
   }
   if (!file || std::ferror(file.get()) != 0) throw Failure(kNoFile, name + ": " + std::strerror(errno));
   return bytes;
+}
+
+/// The library says it, too, when it loads the program: as of a program that cannot be loaded.
+void check_commands(const std::string& name) {
+  if (name.empty()) return;
+  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(name.c_str(), "r"));
+  if (!file || (std::fgetc(file.get()) == EOF && std::ferror(file.get()) != 0)) {
+    throw Failure(kNoFile, name + ": " + std::strerror(errno));
+  }
 }
 
 /// Ends the context with itself.
@@ -198,8 +227,18 @@ void write_trace(const std::string& name) {
   if (!file) throw Failure(kUsage, name + ": the timeline cannot be written");
 }
 
+int list_lines(const std::string& name) {
+  const std::vector<char> file = read_program(name);
+  const spu_emu::isa::DwarfLines dwarf = spu_emu::isa::read_dwarf_lines(std::as_bytes(std::span(file)));
+  if (!dwarf.missing.empty()) throw Failure(kNoProgram, name + ": " + dwarf.missing);
+  std::fputs(spu_emu::isa::line_table_text(dwarf.lines).c_str(), stdout);
+  return 0;
+}
+
 int run_command(Options& options) {
+  if (options.list_lines) return list_lines(options.command.front());
   options.settings.trace = !options.trace.empty();
+  if (const auto& debugger = options.settings.debugger) check_commands(debugger->commands);
   set_cycles(options);
   options.settings.code_reserve = 0;  // The file says what its code takes.
   const spu_emu::SettingsScope scope(options.settings);
@@ -226,6 +265,7 @@ int main(int argc, char** argv) {
       "Runs an SPU ELF program by itself, instruction by instruction.\n"
       "usage: spu-run [OPTIONS] PROGRAM.elf [ARGUMENTS...]");
   add_options(app, options);
+  add_debugger_options(app, options);
   add_cycle_options(app, options);
   try {
     app.parse(argc, argv);

@@ -22,6 +22,12 @@ namespace spu_emu {
 /// standard streams, time; `files`: those of the host too, as the calling user.
 enum class LibraryCallAccess { none, console, files };
 
+/// A debugger for real SPU code, which stands at the program's first instruction and asks what to do.
+struct DebuggerSettings {
+  /// A file of commands, one a line, after which the program runs on; empty: from standard input.
+  std::string commands;
+};
+
 /// Settings of one SPE, fixed when its context is created. Sizes are in bytes.
 struct EmulationSettings {
   DmaMode dma_mode = DmaMode::eager;
@@ -54,6 +60,9 @@ struct EmulationSettings {
   bool trace = false;
   /// Real SPU code: count what it would take on a Cell, for cycle_profile(). Runs several times slower.
   std::optional<CycleParameters> cycles{};
+  /// Real SPU code: debug it. Without one, SPU_EMU_DEBUG=NUMBER in the environment asks for it for the SPE of
+  /// this number, the first of the process being 0, and SPU_EMU_DEBUG_COMMANDS=FILE for its commands.
+  std::optional<DebuggerSettings> debugger{};
 };
 
 /// Settings of contexts created from now on; process-wide, any thread. Throws std::invalid_argument, and

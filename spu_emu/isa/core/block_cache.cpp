@@ -17,7 +17,7 @@ const Op* BlockCache::block(std::uint32_t pc) {
   const std::uint32_t word = pc / 4;
   if (entries_[word] == nullptr) {
     auto block = std::make_unique<Block>();
-    block->ops = decode_block(local_store_, pc, kMaxBlock, block->words, is_observed());
+    block->ops = decode_block(local_store_, pc, kMaxBlock, block->words, is_observed(), state_.traps);
     for (std::uint32_t k = word / 4; k <= (word + block->words - 1) / 4; ++k) code_[k] = 1;
     entries_[word] = block->ops.data();
     blocks_[word] = std::move(block);
@@ -27,7 +27,7 @@ const Op* BlockCache::block(std::uint32_t pc) {
 
 const Op* BlockCache::partial_block(std::uint32_t pc, std::uint32_t instructions) {
   std::uint32_t words = 0;
-  partial_ = decode_block(local_store_, pc, instructions, words, is_observed());
+  partial_ = decode_block(local_store_, pc, instructions, words, is_observed(), state_.traps);
   // A store into the block itself must end it, as it does in others.
   for (std::uint32_t k = pc / 16; k <= (pc + 4 * (words - 1)) / 16; ++k) code_[k] = 1;
   return partial_.data();

@@ -1,26 +1,13 @@
 // Channel instructions, and the interrupts that come from channel 0.
 #include "isa/core/channel_access.h"
 #include "isa/core/handlers.h"
+#include "isa/core/host_float_mode.h"
 #include "mfc/spu_channels.h"
 #include "spu_emu/channel_numbers.h"
 
 namespace spu_emu::isa {
 
 namespace {
-
-/// The host's floating-point mode for as long as code of the host runs.
-class HostFloatMode {
- public:
-  explicit HostFloatMode(const State& state) : spu_(float_control()) {
-    set_float_control(state.host_float_control);
-  }
-  ~HostFloatMode() { set_float_control(spu_); }
-  HostFloatMode(const HostFloatMode&) = delete;
-  HostFloatMode& operator=(const HostFloatMode&) = delete;
-
- private:
-  FloatControl spu_;
-};
 
 /// Calls the channels for `op`. If they throw, the run is where it was before the instruction.
 template <class Call>

@@ -1,6 +1,8 @@
 // Stops, halts, special registers, and what is no instruction.
 #include "isa/core/handlers.h"
+#include "isa/core/host_float_mode.h"
 #include "isa/core/instruction_observer.h"
+#include "isa/core/instruction_traps.h"
 
 namespace spu_emu::isa {
 
@@ -54,6 +56,17 @@ const Op* move_from_special(State& state, const Op* op) {
   return go_on(state, op);
 }
 
+/// Apart from its handler, whose frame has to be gone when it calls the next one. Meanwhile the run is where
+/// it is before the instruction.
+[[gnu::noinline]] bool come_to_trap(State& state, const Op* op) {
+  const HostFloatMode mode(state);
+  state.pc = op->pc;
+  state.budget -= op->count - 1;
+  if (!state.traps->come(op->pc)) return false;
+  state.budget += op->count - 1;
+  return true;
+}
+
 constexpr HandlerRow kRows[] = {
     {"stop", stop},
     {"stopd", stop_with_dependencies},
@@ -81,6 +94,10 @@ const Op* execute_end_of_block(State& state, const Op* op) {
 const Op* execute_observation(State& state, const Op* op) {
   state.observer->begin(op->pc, state);
   return go_on(state, op);
+}
+
+const Op* execute_trap(State& state, const Op* op) {
+  return come_to_trap(state, op) ? go_on(state, op) : nullptr;
 }
 
 std::span<const HandlerRow> control_handlers() {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "isa/core/handlers.h"
+#include "isa/core/instruction_traps.h"
 #include "isa/encoding/instruction_word.h"
 #include "isa/encoding/opcodes.h"
 
@@ -47,7 +48,7 @@ Flow flow_of(int number) {
 }  // namespace
 
 std::vector<Op> decode_block(const std::byte* local_store, std::uint32_t pc, std::uint32_t max_instructions,
-                             std::uint32_t& words, bool observed) {
+                             std::uint32_t& words, bool observed, const InstructionTraps* traps) {
   std::vector<Op> ops;
   std::uint32_t count = 0;
   Flow flow = Flow::next;
@@ -56,6 +57,7 @@ std::vector<Op> decode_block(const std::byte* local_store, std::uint32_t pc, std
     const int number = find_instruction(word);
     flow = flow_of(number);
     ++count;
+    if (traps != nullptr && traps->wants(pc, word)) ops.push_back({execute_trap, 0, 0, 0, 0, 0, pc, count});
     if (observed) ops.push_back({execute_observation, 0, 0, 0, 0, 0, pc, count});
     if (flow != Flow::none) ops.push_back(decode(number, word, pc, count));
     pc += 4;

@@ -34,6 +34,9 @@ const Op* execute_end_of_block(State& state, const Op* op);
 /// Tells State::observer of the instruction whose Op follows, if it has one.
 const Op* execute_observation(State& state, const Op* op);
 
+/// Asks State::traps before the instruction whose Op follows.
+const Op* execute_trap(State& state, const Op* op);
+
 /// t = F(a)
 template <auto F>
 const Op* unary(State& state, const Op* op) {

@@ -5,7 +5,9 @@
 #include "isa/core/block_cache.h"
 #include "isa/core/channel_access.h"
 #include "isa/core/decoder.h"
+#include "isa/core/host_float_mode.h"
 #include "isa/core/instruction_observer.h"
+#include "isa/core/instruction_traps.h"
 #include "isa/core/written_lines.h"
 #include "spu_emu/intrinsics/float_mode.h"
 
@@ -24,6 +26,7 @@ struct Machine::Impl {
   void start(std::uint64_t max_instructions);
   bool look_up();
   void drop_written();
+  void attend();
   const Op* next_block();
   MachineStop stopped() const;
   MachineStop run();
@@ -70,6 +73,7 @@ void Machine::Impl::start(std::uint64_t max_instructions) {
 bool Machine::Impl::look_up() {
   const std::uint32_t attention = state.attention.load();
   if ((attention & kWritten) != 0) drop_written();
+  if ((attention & kTrap) != 0) attend();
   if ((attention & kInterrupted) != 0) {
     state.attention.fetch_and(~std::uint32_t{kInterrupted});
     return false;
@@ -82,6 +86,12 @@ void Machine::Impl::drop_written() {
   // First the bit, then the lines: what comes in between is found now or the next time.
   state.attention.fetch_and(~std::uint32_t{kWritten});
   written.take([this](std::uint32_t first) { blocks.drop(first, WrittenLines::kLine); });
+}
+
+void Machine::Impl::attend() {
+  state.attention.fetch_and(~std::uint32_t{kTrap});
+  const HostFloatMode mode(state);
+  if (state.traps != nullptr) state.traps->attend();
 }
 
 const Op* Machine::Impl::next_block() {
@@ -140,6 +150,19 @@ MachineStop Machine::run(std::uint64_t max_instructions) {
 void Machine::set_observer(InstructionObserver& observer) {
   impl_->state.observer = &observer;
   impl_->blocks.drop_all();
+}
+
+void Machine::set_traps(InstructionTraps& traps) {
+  impl_->state.traps = &traps;
+  impl_->blocks.drop_all();
+}
+
+void Machine::decode_again() {
+  impl_->blocks.drop_all();
+}
+
+void Machine::ask_for_attention() {
+  impl_->state.attention.fetch_or(kTrap);
 }
 
 std::uint32_t Machine::pc() const {

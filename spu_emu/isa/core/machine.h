@@ -14,6 +14,7 @@ class SpuChannels;
 namespace spu_emu::isa {
 
 class InstructionObserver;
+class InstructionTraps;
 
 /// Why run() came back.
 struct MachineStop {
@@ -41,6 +42,15 @@ class Machine {
 
   /// From now on `observer`, which is there as long as the machine runs, is told of every instruction.
   void set_observer(InstructionObserver& observer);
+
+  /// From now on `traps`, which are there as long as the machine, are asked before the instructions they
+  /// want.
+  void set_traps(InstructionTraps& traps);
+  /// What the traps want has changed: nothing decoded is kept. By the thread that runs the machine, also out
+  /// of a call of the traps or a channel.
+  void decode_again();
+  /// Calls the traps' attend() between two blocks, soon. Any thread, and handlers of signals.
+  void ask_for_attention();
 
   /// Registers, FPSCR and pc are zero, interrupts are disabled, and nothing decoded is kept.
   void reset();

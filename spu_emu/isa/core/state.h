@@ -21,6 +21,7 @@ namespace spu_emu::isa {
 
 class BlockCache;
 class InstructionObserver;
+class InstructionTraps;
 struct Op;
 struct State;
 
@@ -51,7 +52,7 @@ constexpr std::uint32_t kMaxBlock = 64;
 enum class Exit : std::uint8_t { none, stop, halt, illegal };
 
 /// Reasons for the run to look up between blocks: bits of State::attention.
-enum Attention : std::uint32_t { kInterrupted = 1, kWritten = 2, kInterruptsEnabled = 4 };
+enum Attention : std::uint32_t { kInterrupted = 1, kWritten = 2, kInterruptsEnabled = 4, kTrap = 8 };
 
 /// Registers are kept as four words in the host's byte order, the preferred one first; the local store is as
 /// on the SPU, big-endian.
@@ -73,6 +74,8 @@ struct State {
   BlockCache* blocks = nullptr;
   /// Told of every instruction if there is one: then blocks are decoded with a call of it before each.
   InstructionObserver* observer = nullptr;
+  /// Asked before the instructions that it wants: then a call of it is decoded before each of these.
+  InstructionTraps* traps = nullptr;
   FloatControl host_float_control{};
 
   qword& at(std::uint16_t offset) {

@@ -1,0 +1,16 @@
+# Sets SPU_EMU_LIBDW_HEADERS, the folder of elfutils' headers, or OFF, and SPU_EMU_LIBDW_ROW, a line about it for the end
+# of a configuration. Headers of this machine are not those of another one's cross compiler.
+set(SPU_EMU_LIBDW_HEADERS OFF CACHE INTERNAL "Where elfutils/libdw.h is")
+if(NOT CMAKE_CROSSCOMPILING)
+  find_path(SPU_EMU_LIBDW_HEADER_DIR elfutils/libdw.h)
+  mark_as_advanced(SPU_EMU_LIBDW_HEADER_DIR)
+  if(SPU_EMU_LIBDW_HEADER_DIR)
+    set(SPU_EMU_LIBDW_HEADERS ${SPU_EMU_LIBDW_HEADER_DIR} CACHE INTERNAL "Where elfutils/libdw.h is")
+  endif()
+endif()
+if(SPU_EMU_LIBDW_HEADERS)
+  set(row "found    libdw: source lines in the debugger of SPU programs")
+else()
+  set(row "missing  libdw: source lines in the debugger of SPU programs (Debian: libdw-dev)")
+endif()
+set(SPU_EMU_LIBDW_ROW "${row}" CACHE INTERNAL "What the configuration says of libdw")
