@@ -7,6 +7,7 @@
 
 #include "libspe2/context.h"
 #include "libspe2/load_program.h"
+#include "libspe2/process_time_limit.h"
 #include "libspe2/program_image.h"
 #include "spe/settings.h"
 
@@ -50,6 +51,7 @@ spe_context_ptr_t spe_context_create(unsigned int flags, spe_gang_context_ptr_t 
     return nullptr;
   }
   try {
+    spu_emu::start_process_time_limit();
     auto context = std::make_unique<spe_context>(flags, gang, spu_emu::current_settings());
     if (gang != nullptr) gang->members.fetch_add(1);
     return context.release();

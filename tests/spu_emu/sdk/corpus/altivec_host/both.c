@@ -13,7 +13,7 @@ static vector float theirs[64] __attribute__((aligned(128)));
 int main(void) {
   const vector unsigned char reverse = {15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0};
   vector float half = (vector float){0.5f, 0.5f, 0.5f, 0.5f};
-  vector signed int bits;
+  vector unsigned int bits;
   vector unsigned char text;
   unsigned int entry = SPE_DEFAULT_ENTRY;
   spe_context_ptr_t spe = spe_context_create(0, NULL);
@@ -28,7 +28,7 @@ int main(void) {
   memcpy(&text, word, 16);
   text = vec_perm(text, text, reverse);
   memcpy(word, &text, 16);
-  bits = half; /* the bits, not the numbers: as old compilers took it */
+  bits = (vector signed int)half; /* signed or not: old compilers took it lightly */
   __sync();
   printf("%s %s %08x %s %d bits\n", vector ? "equal" : "DIFFERENT", word, ((unsigned int *)&bits)[3],
          __mftb() > begin ? "later" : "never", (int)sizeof(long) * 8);
