@@ -59,6 +59,17 @@ emulator_of() {
   emulator+=(-L "$root" -E "LD_LIBRARY_PATH=$sdk/$1/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}")
 }
 
+# run_in_time SECONDS PROGRAM ARGUMENT...: the library ends the process and says who waits for what; one that does not use
+# it is killed soon after.
+run_in_time() {
+  local seconds=$1 program=$2 code=0 killed=137
+  shift 2
+  timeout --foreground --signal=KILL "$(awk -v s="$seconds" 'BEGIN {print s + 3}')" "${emulator[@]}" \
+    -E "SPU_EMU_PROCESS_TIME_LIMIT=$seconds" -0 "$program" "$program" "$@" || code=$?
+  [ $code -eq $killed ] || exit $code
+  refuse 124 "$seconds s are over, and the program, which made no SPE, has not ended"
+}
+
 run() {
   local seconds= program kind emulator=()
   while [ $# -gt 0 ]; do
@@ -83,7 +94,5 @@ run() {
   [ -x "$program" ] || refuse 126 "$program may not be executed (chmod +x)"
   emulator_of "$kind"
   [ -n "$seconds" ] || exec "${emulator[@]}" -0 "$program" "$program" "$@"
-  # The library ends the process and says who waits; timeout ends one that does not use it.
-  exec timeout --foreground -k 5 "$(awk -v s="$seconds" 'BEGIN {print s + 5}')" "${emulator[@]}" \
-    -E "SPU_EMU_PROCESS_TIME_LIMIT=$seconds" -0 "$program" "$program" "$@"
+  run_in_time "$seconds" "$program" "$@"
 }
