@@ -5,7 +5,7 @@ packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev n
   libgmock-dev libbenchmark-dev libembree-dev libpng-dev libzip-dev libglfw3-dev libepoxy-dev libimgui-dev)
 packages_to_draw=(gnuplot-nox)
 packages_for_python=(pybind11-dev python3-dev python3-numpy python3-scipy python3-rtree)
-packages_to_test=(xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy abigail-tools
+packages_to_test=(libmpfr-dev xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy abigail-tools
   "${packages_for_python[@]}" python3-pytest python3-matplotlib mypy doxygen python3-pip python3-setuptools python3-wheel)
 packages_for_clang=(clang libclang-rt-14-dev)
 packages_for_style=(clang-format clang-tidy)

@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/spu_emu)
 install(TARGETS spu_emu spu_emu_headers EXPORT spu_emu_targets)
 install(EXPORT spu_emu_targets NAMESPACE spu_emu:: DESTINATION ${package_dir})
-install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/spu_emu)
+install(DIRECTORY include/ sdk/include/common/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/spu_emu)
 install(DIRECTORY runtime/ DESTINATION ${CMAKE_INSTALL_DATADIR}/spu_emu/runtime)
 install(FILES cmake/add_spu_program.cmake cmake/spu_elf.cmake cmake/spu_elf_report.cmake DESTINATION ${package_dir})
 

@@ -9,6 +9,7 @@
 #define SPU_EMU_LIBSPE2_H
 
 #include <errno.h>
+#include <stdio.h>
 
 #include "libspe2-types.h"
 

@@ -1,0 +1,43 @@
+/* Marks for the SDK's simulator: where it begins and ends to count. A Cell goes on over them, and so does everything here;
+ * spu-run --cycles counts by function instead. */
+#ifndef SPU_EMU_PROFILE_H
+#define SPU_EMU_PROFILE_H
+
+#define prof_clear() ((void)0)
+#define prof_start() ((void)0)
+#define prof_stop() ((void)0)
+#define prof_cp(number) ((void)(number))
+#define prof_cp0() prof_cp(0)
+#define prof_cp1() prof_cp(1)
+#define prof_cp2() prof_cp(2)
+#define prof_cp3() prof_cp(3)
+#define prof_cp4() prof_cp(4)
+#define prof_cp5() prof_cp(5)
+#define prof_cp6() prof_cp(6)
+#define prof_cp7() prof_cp(7)
+#define prof_cp8() prof_cp(8)
+#define prof_cp9() prof_cp(9)
+#define prof_cp10() prof_cp(10)
+#define prof_cp11() prof_cp(11)
+#define prof_cp12() prof_cp(12)
+#define prof_cp13() prof_cp(13)
+#define prof_cp14() prof_cp(14)
+#define prof_cp15() prof_cp(15)
+#define prof_cp16() prof_cp(16)
+#define prof_cp17() prof_cp(17)
+#define prof_cp18() prof_cp(18)
+#define prof_cp19() prof_cp(19)
+#define prof_cp20() prof_cp(20)
+#define prof_cp21() prof_cp(21)
+#define prof_cp22() prof_cp(22)
+#define prof_cp23() prof_cp(23)
+#define prof_cp24() prof_cp(24)
+#define prof_cp25() prof_cp(25)
+#define prof_cp26() prof_cp(26)
+#define prof_cp27() prof_cp(27)
+#define prof_cp28() prof_cp(28)
+#define prof_cp29() prof_cp(29)
+#define prof_cp30() prof_cp(30)
+#define prof_cp31() prof_cp(31)
+
+#endif

@@ -1,0 +1,23 @@
+// What the functions of the SIMD math library are, by MPFR.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simdmath/number.h"
+
+namespace simdmath_test {
+
+/// A function of one to three numbers.
+struct Reference {
+  std::string name;
+  int arguments;
+  void (*exact)(Number& result, const Number& x, const Number& y, const Number& z);
+  /// Of two results the second.
+  bool second = false;
+};
+
+/// For names with the ending f4 or d2.
+const std::vector<Reference>& references();
+
+}  // namespace simdmath_test
