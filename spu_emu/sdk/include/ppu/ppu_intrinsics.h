@@ -1,5 +1,6 @@
-/* The compiler's ppu_intrinsics.h. In 32 bits no emulated processor has the instructions that a Cell takes from 64-bit
- * PowerPC, and with dcbz they clear 32 bytes at a time: what these intrinsics promise is done by others there. */
+/* The compiler's ppu_intrinsics.h. In 32 bits no emulated processor has the instructions that a Cell takes
+ * from 64-bit PowerPC, and with dcbz they clear 32 bytes at a time: what these intrinsics promise is done by
+ * others there. */
 #ifndef SPU_EMU_SDK_PPU_INTRINSICS_H
 #define SPU_EMU_SDK_PPU_INTRINSICS_H
 
