@@ -13,8 +13,11 @@ packages_for_style=(clang-format clang-tidy)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev libnanoflann-dev)
 packages_for_cgal=(libcgal-dev libtbb-dev)
 packages_for_blade=(g++-powerpc64-linux-gnu qemu-user googletest)
+packages_for_sdk=(make g++-powerpc64-linux-gnu g++-powerpc-linux-gnu qemu-user)
 packages_for_debian=("${packages_for_python[@]}" help2man dpkg-dev file lintian debootstrap)
 packages_for_avx512=(bochs bochs-term bochsbios vgabios isolinux syslinux-common genisoimage busybox-static)
+
+. spu_emu/toolchain/apt.sh
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -50,8 +53,8 @@ install_packages() {
   fi
   say "installing ${#missing[@]} packages: ${missing[*]}"
   packages_are_new=1
-  apt-get update -qq >&2 &&
-    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+  patient_apt_get update -qq &&
+    DEBIAN_FRONTEND=noninteractive patient_apt_get install -y -qq --no-install-recommends "${missing[@]}"
 }
 
 # The file that says that the SPU compiler of spu_emu/toolchain/build is complete.

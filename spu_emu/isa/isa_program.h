@@ -35,6 +35,7 @@ class IsaProgram final : public Program, private StoreObserver {
   std::uint32_t high_water() const override { return high_water_.load(std::memory_order_relaxed); }
   std::string map() const override { return store_.map(); }
   std::string where() const override { return place_of(stopped_at_); }
+  std::string where_waiting() const override { return place_of(machine_.pc()); }
   std::string registers() const override;
   std::uint64_t instructions() const override { return instructions_.load(std::memory_order_relaxed); }
   CycleProfile cycle_profile() const override { return cycles_ ? cycles_->profile() : CycleProfile(); }

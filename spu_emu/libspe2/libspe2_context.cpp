@@ -8,6 +8,7 @@
 #include "libspe2/context.h"
 #include "libspe2/load_program.h"
 #include "libspe2/mapped_access.h"
+#include "libspe2/process_time_limit.h"
 #include "libspe2/program_image.h"
 #include "spe/settings.h"
 
@@ -56,6 +57,7 @@ spe_context_ptr_t create(unsigned int flags, spe_context_ptr_t neighbor, spe_gan
   if (gang != nullptr) errno = gang->affinity.check(flags, neighbor);
   if (gang != nullptr && errno != 0) return nullptr;
   try {
+    spu_emu::start_process_time_limit();
     auto context = std::make_unique<spe_context>(flags, gang, spu_emu::current_settings());
     if (gang != nullptr) {
       gang->members.fetch_add(1);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "libspe2/context.h"
+#include "spe/host_waits.h"
 
 namespace {
 
@@ -170,6 +171,7 @@ int spe_event_wait(spe_event_handler_ptr_t evhandler, spe_event_unit_t* events, 
   if (timeout >= 0) deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(timeout);
   int found = collect(handler, events, max_events);
   if (found == 0 && timeout != 0) {
+    const spu_emu::HostWait wait(__func__);
     spu_emu::event_point().wait_until(
         [&] {
           found = collect(handler, events, max_events);

@@ -1,5 +1,7 @@
 // libspe2: mailboxes and signals.
 #include "libspe2/context.h"
+#include "mfc/format.h"
+#include "spe/host_waits.h"
 
 namespace {
 
@@ -8,8 +10,8 @@ using spu_emu::fail;
 /// Moves messages by `move(first, count)`, which moves what it can now, as the behavior says; `ready` tells
 /// whether it can move one. Returns the number moved or -1 with errno.
 template <class Move, class Ready>
-int transfer(spe_context_ptr_t spe, unsigned* data, int count, unsigned behavior, Move&& move,
-             Ready&& ready) {
+int transfer(const char* name, spe_context_ptr_t spe, unsigned* data, int count, unsigned behavior,
+             Move&& move, Ready&& ready) {
   if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (data == nullptr || count < 1 || behavior < SPE_MBOX_ALL_BLOCKING ||
       behavior > SPE_MBOX_ANY_NONBLOCKING) {
@@ -19,6 +21,8 @@ int transfer(spe_context_ptr_t spe, unsigned* data, int count, unsigned behavior
   unsigned done = move(spe->spe.channels(), data, total);
   if (behavior == SPE_MBOX_ANY_NONBLOCKING) return static_cast<int>(done);
   const unsigned wanted = behavior == SPE_MBOX_ALL_BLOCKING ? total : 1U;
+  if (done >= wanted) return static_cast<int>(done);
+  const spu_emu::HostWait wait(spu_emu::format("%s of SPE %u", name, spe->spe.number()));
   while (done < wanted) {
     spe->spe.channels().changed().wait([&] { return ready(spe->spe.channels()); });
     done += move(spe->spe.channels(), data + done, total - done);
@@ -41,7 +45,7 @@ int spe_out_mbox_status(spe_context_ptr_t spe) {
 
 int spe_in_mbox_write(spe_context_ptr_t spe, unsigned int* mbox_data, int count, unsigned int behavior) {
   return transfer(
-      spe, mbox_data, count, behavior,
+      __func__, spe, mbox_data, count, behavior,
       [](spu_emu::SpuChannels& channels, unsigned* first, unsigned n) {
         return channels.write_in_mailbox(first, n);
       },
@@ -55,7 +59,7 @@ int spe_in_mbox_status(spe_context_ptr_t spe) {
 
 int spe_out_intr_mbox_read(spe_context_ptr_t spe, unsigned int* mbox_data, int count, unsigned int behavior) {
   return transfer(
-      spe, mbox_data, count, behavior,
+      __func__, spe, mbox_data, count, behavior,
       [](spu_emu::SpuChannels& channels, unsigned* first, unsigned n) {
         return channels.read_out_interrupt_mailbox(first, n);
       },

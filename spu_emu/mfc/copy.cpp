@@ -21,7 +21,7 @@ void copy_units(std::byte* to, const std::byte* from, std::size_t size) {
 std::size_t widest_unit(const std::byte* to, const std::byte* from, std::size_t size) {
   const std::uintptr_t bits = reinterpret_cast<std::uintptr_t>(to) | reinterpret_cast<std::uintptr_t>(from) |
                               static_cast<std::uintptr_t>(size);
-  if ((bits & 7U) == 0) return 8;
+  if (sizeof(void*) == 8 && (bits & 7U) == 0) return 8;
   if ((bits & 3U) == 0) return 4;
   return (bits & 1U) == 0 ? 2 : 1;
 }

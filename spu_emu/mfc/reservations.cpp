@@ -6,18 +6,18 @@ namespace spu_emu {
 
 namespace {
 void read_line(const std::byte* line, LineWords& words) {
-  const auto* from = reinterpret_cast<const std::uint64_t*>(line);
+  const auto* from = reinterpret_cast<const LineWord*>(line);
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = __atomic_load_n(from + i, __ATOMIC_ACQUIRE);
 }
 
 void write_line(std::byte* line, const LineWords& words) {
-  auto* to = reinterpret_cast<std::uint64_t*>(line);
+  auto* to = reinterpret_cast<LineWord*>(line);
   for (std::size_t i = 0; i < words.size(); ++i) __atomic_store_n(to + i, words[i], __ATOMIC_RELEASE);
 }
 
 /// Writes the words that differ, each only if it still is what was loaded. False if one no longer was.
 bool exchange_line(std::byte* line, LineWords loaded, const LineWords& words) {
-  auto* to = reinterpret_cast<std::uint64_t*>(line);
+  auto* to = reinterpret_cast<LineWord*>(line);
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (loaded[i] == words[i]) continue;
     if (!__atomic_compare_exchange_n(to + i, &loaded[i], words[i], false, __ATOMIC_ACQ_REL,

@@ -14,7 +14,9 @@
 
 namespace spu_emu {
 
-using LineWords = std::array<std::uint64_t, kLineSize / sizeof(std::uint64_t)>;
+/// What this processor exchanges at once.
+using LineWord = std::uintptr_t;
+using LineWords = std::array<LineWord, kLineSize / sizeof(LineWord)>;
 
 /// One SPE's reservation: at most one line, and the line's words when it was loaded.
 class Reservation {
@@ -35,7 +37,7 @@ class Reservation {
 ///
 /// Accesses by SPEs exclude one another. Threads that are no SPE may use std::atomic on the words of a line:
 /// their write between a getllar and a putllc makes it fail as long as it changed a value, and a putllc that
-/// changes one 8-byte word is atomic to them; a putllc that changes several is not, to them only.
+/// changes one LineWord is atomic to them; a putllc that changes several is not, to them only.
 class ReservationTable {
  public:
   static ReservationTable& instance();

@@ -20,9 +20,10 @@ std::byte* check_transfer(const Command& command, std::uint32_t ls, std::uint64_
 /// host address of the LS side of a plain transfer, null for other commands. Throws Fault.
 std::byte* check_command(const Command& command, Issuer issuer, LocalStoreView& store);
 
-/// True for an EA that no program can own: below 64 KB, or beyond the 47 bits of a user address.
+/// True for an EA that no program can own: below 64 KB, or beyond the 47 bits of a user address, where
+/// pointers have 64.
 constexpr bool is_bad_address(std::uint64_t ea, std::uint32_t size) {
-  constexpr std::uint64_t kUserEnd = std::uint64_t{1} << 47U;
+  constexpr std::uint64_t kUserEnd = std::uint64_t{1} << (sizeof(void*) == 8 ? 47U : 32U);
   return ea < 0x10000U || ea > kUserEnd - size;
 }
 

@@ -12,13 +12,13 @@ SpeDirectory& SpeDirectory::instance() {
 
 void SpeDirectory::add(const SpeWindow& window) {
   const std::unique_lock lock(mutex_);
-  windows_[window.base >> 32U] = window;
+  windows_[window.base >> kWindowBits] = window;
   largest_local_store_.store(std::max(largest_local_store_.load(), window.local_store_size));
 }
 
 void SpeDirectory::remove(std::uint64_t base) {
   const std::unique_lock lock(mutex_);
-  windows_.erase(base >> 32U);
+  windows_.erase(base >> kWindowBits);
 }
 
 }  // namespace spu_emu

@@ -28,10 +28,19 @@ inline constexpr std::uint32_t kControlArea = 0x4000;
 inline constexpr std::uint32_t kSignal1Area = 0x14000;
 inline constexpr std::uint32_t kSignal2Area = 0x1c000;
 inline constexpr std::uint32_t kProblemStateSize = 0x20000;
-/// Where the problem state lies in an SPE's 4 GB window; the local store is at its start.
-inline constexpr std::uint32_t kProblemStateOffset = 0xf0000000U;
+/// An SPE has a window of effective addresses for itself, 4 GB from a multiple of 4 GB, and 1 MB where a
+/// process has only 4 GB in all. The local store is at its start, the problem state at kProblemStateOffset.
+inline constexpr bool kWideAddresses = sizeof(void*) == 8;
+inline constexpr unsigned kWindowBits = kWideAddresses ? 32 : 20;
+inline constexpr std::uint64_t kWindowSize = std::uint64_t{1} << kWindowBits;
+inline constexpr std::uint32_t kProblemStateOffset = kWideAddresses ? 0xf0000000U : 0x80000U;
 
-/// An SPE's window of effective addresses: 4 GB from `base`, which is a multiple of 4 GB.
+/// Where an effective address lies in its window.
+constexpr std::uint32_t window_offset(std::uint64_t ea) {
+  return static_cast<std::uint32_t>(ea & (kWindowSize - 1));
+}
+
+/// An SPE's window of effective addresses; `base` is a multiple of kWindowSize.
 struct SpeWindow {
   std::uint64_t base = 0;
   std::uint32_t local_store_size = 0;
@@ -49,7 +58,7 @@ class SpeDirectory {
 
   /// Quick test: false means surely main memory.
   static bool may_be_window(std::uint64_t ea) {
-    const auto low = static_cast<std::uint32_t>(ea);
+    const std::uint32_t low = window_offset(ea);
     return low < largest_local_store_.load(std::memory_order_relaxed) ||
            (low >= kProblemStateOffset && low < kProblemStateOffset + kProblemStateSize);
   }
@@ -58,7 +67,7 @@ class SpeDirectory {
   template <class Use>
   void with_window(std::uint64_t ea, Use&& use) {
     const std::shared_lock lock(mutex_);
-    const auto found = windows_.find(ea >> 32U);
+    const auto found = windows_.find(ea >> kWindowBits);
     use(found == windows_.end() ? nullptr : &found->second);
   }
 

@@ -11,7 +11,7 @@ namespace spu_emu {
 
 namespace {
 std::byte* memory_at(std::uint64_t ea) {
-  return reinterpret_cast<std::byte*>(ea);
+  return reinterpret_cast<std::byte*>(static_cast<std::uintptr_t>(ea));
 }
 
 WordOrder order_between(const LocalStoreView& one, const LocalStoreView& other) {
@@ -36,7 +36,7 @@ bool Transfers::move_within_window(const Command& command, const Piece& piece, b
   SpeDirectory::instance().with_window(piece.ea, [&](const SpeWindow* window) {
     if (window == nullptr) return;
     moved = true;
-    const auto offset = static_cast<std::uint32_t>(piece.ea);
+    const std::uint32_t offset = window_offset(piece.ea);
     if (offset >= kProblemStateOffset) {
       if (window->registers == nullptr || !access_register(*window->registers, offset - kProblemStateOffset,
                                                            piece, store_->word_order(), to_local)) {
@@ -90,7 +90,7 @@ std::byte* Transfers::line_address(const Command& command) {
   std::byte* line = memory_at(ea);
   if (!SpeDirectory::may_be_window(ea)) return line;
   SpeDirectory::instance().with_window(ea, [&](const SpeWindow* window) {
-    if (window != nullptr) line = window->store->at(static_cast<std::uint32_t>(ea), kLineSize);
+    if (window != nullptr) line = window->store->at(window_offset(ea), kLineSize);
   });
   if (line == nullptr)
     throw Fault(Rule::effective_address, "no line of an SPE's local store is there", command);

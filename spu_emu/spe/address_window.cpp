@@ -11,7 +11,6 @@
 namespace spu_emu {
 
 namespace {
-constexpr std::uint64_t kWindow = std::uint64_t{1} << 32U;
 /// The largest page of any system.
 constexpr std::size_t kPage = 64 * 1024;
 /// How many windows of its own and others' are looked at for a free one.
@@ -30,12 +29,12 @@ bool reserve_at(std::byte* first, std::size_t size) {
   return false;
 }
 
-/// A multiple of 4 GB below which the system has addresses to give.
+/// A window's place below which the system has addresses to give.
 std::byte* near_what_the_system_gives() {
   std::byte* given = reserve(nullptr, kPage);
   if (given == nullptr) throw std::bad_alloc();
   munmap(given, kPage);
-  return given - reinterpret_cast<std::uintptr_t>(given) % kWindow;
+  return given - reinterpret_cast<std::uintptr_t>(given) % kWindowSize;
 }
 }  // namespace
 
@@ -54,16 +53,16 @@ AddressWindow::~AddressWindow() {
 
 /// A window aligned to its size, and one page before it, fit into two windows wherever those lie.
 void AddressWindow::reserve_whole() {
-  std::byte* reserved = reserve(nullptr, 2 * kWindow);
+  std::byte* reserved = reserve(nullptr, 2 * kWindowSize);
   if (reserved == nullptr) throw std::bad_alloc();
-  parts_[0] = {reserved, 2 * kWindow};
-  base_ = reserved + (kWindow - reinterpret_cast<std::uintptr_t>(reserved) % kWindow);
+  parts_[0] = {reserved, 2 * kWindowSize};
+  base_ = reserved + (kWindowSize - reinterpret_cast<std::uintptr_t>(reserved) % kWindowSize);
 }
 
 void AddressWindow::reserve_parts() {
   std::byte* const near = near_what_the_system_gives();
   for (std::uint64_t k = 1; k <= kCandidates; ++k) {
-    if (reserve_parts_at(near - k * kWindow)) return;
+    if (reserve_parts_at(near - k * kWindowSize)) return;
   }
   throw std::bad_alloc();
 }

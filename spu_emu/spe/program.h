@@ -70,6 +70,8 @@ class Program {
   /// counts may be read by any thread.
   virtual std::string where() const { return {}; }
   virtual std::string registers() const { return {}; }
+  /// The instruction that waits, for any thread while one does.
+  virtual std::string where_waiting() const { return {}; }
   virtual std::uint64_t instructions() const { return 0; }
   virtual CycleProfile cycle_profile() const { return {}; }
 };

@@ -147,6 +147,11 @@ std::string Spe::last_fault() {
   return last_fault_;
 }
 
+std::string Spe::where_waiting() {
+  const std::lock_guard lock(program_mutex_);
+  return program_ ? program_->where_waiting() : std::string();
+}
+
 SpeStatistics Spe::statistics() {
   const QueueCounters& queue = channels_.queue_counters();
   const ChannelCounters& channel = channels_.counters();

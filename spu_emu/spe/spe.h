@@ -62,6 +62,8 @@ class Spe {
   /// Any thread.
   void set_last_fault(std::string text);
   std::string last_fault();
+  /// Of real SPU code that waits in a channel: the instruction, as Program::where_waiting says it.
+  std::string where_waiting();
   SpeStatistics statistics();
   CycleProfile cycle_profile();
 

@@ -90,7 +90,7 @@ stage_install() {
 
 build_toolchain() {
   local started=$SECONDS
-  install_packages
+  install_packages "${packages_of_toolchain[@]}"
   # What these two leave behind may be gone, so they always look.
   rm -f "$work/stamps/"{fetch,install}.done
   stage fetch "$(hash_of <"$here/sources.sha256")"

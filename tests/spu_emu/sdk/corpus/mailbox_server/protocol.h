@@ -1,0 +1,1 @@
+enum { ADD = 1, MULTIPLY, SQUARE_ROOT, QUIT };

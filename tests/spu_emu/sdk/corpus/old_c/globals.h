@@ -1,0 +1,2 @@
+int verbose, calls;
+char *program_name;
