@@ -44,8 +44,8 @@ END {
 }
 
 function print_list(    i, name, row, k) {
-  print "// Every vector intrinsic as SPU_EMU_C<arguments>(name, row, result, argument types). Made from the list of the SDK's"
-  print "// names by tests/spu_emu/compile/generate_intrinsics.awk."
+  print "// Every vector intrinsic as SPU_EMU_C<arguments>(name, row, result, argument types). Made from the list of"
+  print "// the SDK's names by tests/spu_emu/compile/generate_intrinsics.awk."
   print "// clang-format off"
   for (i = 1; i <= ordered; ++i) {
     name = order[i]

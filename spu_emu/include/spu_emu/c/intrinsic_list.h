@@ -1,5 +1,5 @@
-// Every vector intrinsic as SPU_EMU_C<arguments>(name, row, result, argument types). Made from the list of the SDK's
-// names by tests/spu_emu/compile/generate_intrinsics.awk.
+// Every vector intrinsic as SPU_EMU_C<arguments>(name, row, result, argument types). Made from the list of
+// the SDK's names by tests/spu_emu/compile/generate_intrinsics.awk.
 // clang-format off
 SPU_EMU_C2(spu_convtf, 1, vec_float4, vec_uint4, unsigned int)
 SPU_EMU_C2(spu_convtf, 2, vec_float4, vec_int4, unsigned int)

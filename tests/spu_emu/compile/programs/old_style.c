@@ -1,3 +1,4 @@
+/* clang-format off */
 /* C as it was written before 1989: main without a type, parameters declared behind it, functions without prototypes,
    a variable called vector, a shuffle pattern that is a cast of words, and comments of one kind. */
 #include <spu_intrinsics.h>
