@@ -207,8 +207,7 @@ class RankRun {
   Status save() {
     if (settings_.checkpoint.empty()) return {};
     const double before = now_ms();
-    const Status status =
-        save_checkpoint(world_, settings_.checkpoint, nlohmann::json{{"frame", frame_}}.dump());
+    Status status = save_checkpoint(world_, settings_.checkpoint, nlohmann::json{{"frame", frame_}}.dump());
     report_.checkpoint_ms += now_ms() - before;
     ++report_.checkpoints;
     saved_ = frame_;

@@ -314,7 +314,7 @@ Status write_bodies(const Job& job, const std::string& path, std::size_t first_b
                     BodyRows& mine) {
   const QuietHdf5 quiet;
   Places places{};
-  const Status made = job.agree([&]() -> Status {
+  Status made = job.agree([&]() -> Status {
     if (job.rank() != 0) return {};
     MemoryFile memory;
     if (!make_frame(memory, first_bytes, world, places)) return write_fault(path, hdf5_reason());

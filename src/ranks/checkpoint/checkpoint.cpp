@@ -52,7 +52,7 @@ Status collect(const DistributedBroadphase& world, std::string_view note, BodyRo
 Status share_note(const Job& job, std::string& note) {
   int size = static_cast<int>(note.size());
   MPI_Bcast(&size, 1, MPI_INT, 0, job.communicator());
-  const Status status = job.agree([&]() -> Status {
+  Status status = job.agree([&]() -> Status {
     note.resize(static_cast<std::size_t>(size));
     return {};
   });
@@ -96,7 +96,7 @@ Status publish(const std::string& part, const std::string& path, const ranks::Se
 // The checksum of a file of `bytes`, of which each rank reads its part.
 Status add_up(const Job& job, const std::string& path, std::uint64_t bytes, std::uint64_t& checksum) {
   checksum = 0;
-  const Status status = job.agree([&]() -> Status {
+  Status status = job.agree([&]() -> Status {
     const auto mine = ranks::checksum_of_part(path, bytes, job.rank(), job.ranks());
     if (mine) checksum = *mine;
     return mine.status();
