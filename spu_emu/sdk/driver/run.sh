@@ -3,22 +3,29 @@
 run_usage() {
   cat <<'TEXT'
 usage: cellrun [OPTIONS] PROGRAM [ARGUMENTS...]
-Runs a program compiled by ppu-gcc, ppu-g++, ppu32-gcc or ppu32-g++, and its SPU programs, on this machine: the PowerPC
-half by qemu-user, the SPUs by spu_emu. Its exit code is the program's.
+Runs a program compiled by ppu-gcc, ppu-g++, ppu32-gcc or ppu32-g++, and its SPU
+programs, on this machine: the PowerPC half by qemu-user, the SPUs by spu_emu.
+Its exit code is the program's.
 
-  --timeout SECONDS  end a program that has not ended by then, with exit code 124, and say which SPE waits for what
-  --debug SPE        stop before this SPE's first instruction and ask what to do; 0 is the first SPE that the program
-                     makes. `help` there lists the commands. Compile the SPU program with -g to see its lines
+  --timeout SECONDS  end a program that has not ended by then, with exit code
+                     124, and say which SPE waits for what
+  --debug SPE        stop before this SPE's first instruction and ask; 0 is the
+                     first SPE that the program makes. `help` there lists the
+                     commands. SPU programs compiled with -g show their lines
   --debug-commands FILE
-                     take the debugger's commands from the file, one in a line; then the SPE runs on
+                     take the debugger's commands from the file, one a line; at
+                     its end the SPE runs on
   --help
 
-Exit codes of cellrun itself: 124 out of time, 125 bad usage, 126 no program of a Cell's PowerPC half, 127 not found.
+Exit codes of cellrun itself: 124 out of time, 125 bad usage, 126 no program of
+a Cell's PowerPC half, 127 not found.
 
 Examples:
   ppu-gcc -o hello hello.c -lspe2 && cellrun hello
   cellrun --timeout 10 ./mandelbrot 640 480
-  printf 'break main\ncontinue\nbacktrace\n' >stops && cellrun --debug 0 --debug-commands stops ./mandelbrot
+  cellrun --debug 0 ./mandelbrot
+  printf '%s\n' 'break main' continue backtrace >stops
+  cellrun --debug 0 --debug-commands stops ./mandelbrot
 TEXT
 }
 
@@ -66,7 +73,9 @@ emulator_of() {
 
 # check_debug SPE COMMANDS: what the debugger was asked for, before anything runs.
 check_debug() {
-  if [ -n "$1" ] && ! [[ $1 =~ ^[0-9]{1,4}$ ]]; then refuse 125 "--debug: $1 is no number of an SPE; 0 is the first that the program makes"; fi
+  if [ -n "$1" ] && ! [[ $1 =~ ^[0-9]{1,4}$ ]]; then
+    refuse 125 "--debug: $1 is no number of an SPE; 0 is the first that the program makes"
+  fi
   [ -n "$2" ] || return 0
   [ -n "$1" ] || refuse 125 "--debug-commands wants --debug SPE as well, the SPE that they are for"
   [ -f "$2" ] && [ -r "$2" ] || refuse 127 "--debug-commands: $2 is not there or cannot be read"
@@ -101,10 +110,10 @@ run() {
         ;;
       --timeout=*) seconds=${1#*=} && shift ;;
       --debug) [ $# -ge 2 ] || refuse 125 "--debug wants the number of an SPE; 0 is the first that the program makes"
-        spe=${2:-none}
+        spe=${2:-\"\"}
         shift 2
         ;;
-      --debug=*) spe=${1#*=} && spe=${spe:-none} && shift ;;
+      --debug=*) spe=${1#*=} && spe=${spe:-\"\"} && shift ;;
       --debug-commands) [ $# -ge 2 ] || refuse 125 "--debug-commands wants a file"
         commands=$2
         shift 2
