@@ -3,17 +3,29 @@
 run_usage() {
   cat <<'TEXT'
 usage: cellrun [OPTIONS] PROGRAM [ARGUMENTS...]
-Runs a program compiled by ppu-gcc, ppu-g++, ppu32-gcc or ppu32-g++, and its SPU programs, on this machine: the PowerPC
-half by qemu-user, the SPUs by spu_emu. Its exit code is the program's.
+Runs a program compiled by ppu-gcc, ppu-g++, ppu32-gcc or ppu32-g++, and its SPU
+programs, on this machine: the PowerPC half by qemu-user, the SPUs by spu_emu.
+Its exit code is the program's.
 
-  --timeout SECONDS  end a program that has not ended by then, with exit code 124, and say which SPE waits for what
+  --timeout SECONDS  end a program that has not ended by then, with exit code
+                     124, and say which SPE waits for what
+  --debug SPE        stop before this SPE's first instruction and ask; 0 is the
+                     first SPE that the program makes. `help` there lists the
+                     commands. SPU programs compiled with -g show their lines
+  --debug-commands FILE
+                     take the debugger's commands from the file, one a line; at
+                     its end the SPE runs on
   --help
 
-Exit codes of cellrun itself: 124 out of time, 125 bad usage, 126 no program of a Cell's PowerPC half, 127 not found.
+Exit codes of cellrun itself: 124 out of time, 125 bad usage, 126 no program of
+a Cell's PowerPC half, 127 not found.
 
 Examples:
   ppu-gcc -o hello hello.c -lspe2 && cellrun hello
   cellrun --timeout 10 ./mandelbrot 640 480
+  cellrun --debug 0 ./mandelbrot
+  printf '%s\n' 'break main' continue backtrace >stops
+  cellrun --debug 0 --debug-commands stops ./mandelbrot
 TEXT
 }
 
@@ -59,6 +71,23 @@ emulator_of() {
   emulator+=(-L "$root" -E "LD_LIBRARY_PATH=$sdk/$1/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}")
 }
 
+# check_debug SPE COMMANDS: what the debugger was asked for, before anything runs.
+check_debug() {
+  if [ -n "$1" ] && ! [[ $1 =~ ^[0-9]{1,4}$ ]]; then
+    refuse 125 "--debug: $1 is no number of an SPE; 0 is the first that the program makes"
+  fi
+  [ -n "$2" ] || return 0
+  [ -n "$1" ] || refuse 125 "--debug-commands wants --debug SPE as well, the SPE that they are for"
+  [ -f "$2" ] && [ -r "$2" ] || refuse 127 "--debug-commands: $2 is not there or cannot be read"
+}
+
+# debug SPE COMMANDS: adds to `emulator` what the library reads. It has no libdw on that side: lines come from spu-run.
+debug() {
+  [ -n "$1" ] || return 0
+  emulator+=(-E "SPU_EMU_DEBUG=$((10#$1))" -E "SPU_EMU_LINE_READER=$(printf %q "$sdk/bin/spu-run") --list-lines")
+  [ -z "$2" ] || emulator+=(-E "SPU_EMU_DEBUG_COMMANDS=$2")
+}
+
 # run_in_time SECONDS PROGRAM ARGUMENT...: the library ends the process and says who waits for what; one that does not use
 # it is killed soon after.
 run_in_time() {
@@ -71,7 +100,7 @@ run_in_time() {
 }
 
 run() {
-  local seconds= program kind emulator=()
+  local seconds= spe= commands= program kind emulator=()
   while [ $# -gt 0 ]; do
     case $1 in
       --help | -h) run_usage && return 0 ;;
@@ -80,6 +109,16 @@ run() {
         shift 2
         ;;
       --timeout=*) seconds=${1#*=} && shift ;;
+      --debug) [ $# -ge 2 ] || refuse 125 "--debug wants the number of an SPE; 0 is the first that the program makes"
+        spe=${2:-\"\"}
+        shift 2
+        ;;
+      --debug=*) spe=${1#*=} && spe=${spe:-\"\"} && shift ;;
+      --debug-commands) [ $# -ge 2 ] || refuse 125 "--debug-commands wants a file"
+        commands=$2
+        shift 2
+        ;;
+      --debug-commands=*) commands=${1#*=} && shift ;;
       --) shift && break ;;
       -*) refuse 125 "unknown option: $1 (cellrun --help)" ;;
       *) break ;;
@@ -87,12 +126,14 @@ run() {
   done
   [ $# -gt 0 ] || { run_usage >&2 && exit 125; }
   if [ -n "$seconds" ] && ! [[ $seconds =~ ^[0-9]*\.?[0-9]+$ ]]; then refuse 125 "--timeout: $seconds is no number of seconds"; fi
+  check_debug "$spe" "$commands"
   program=$(find_program "$1") || refuse 127 "$1 is not there"
   shift
   kind=$(kind_of "$program")
   check_kind "$program" "$kind"
   [ -x "$program" ] || refuse 126 "$program may not be executed (chmod +x)"
   emulator_of "$kind"
+  debug "$spe" "$commands"
   [ -n "$seconds" ] || exec "${emulator[@]}" -0 "$program" "$program" "$@"
   run_in_time "$seconds" "$program" "$@"
 }

@@ -1,0 +1,4 @@
+struct Job {
+  unsigned long long counter, image;
+  int width, height, limit, fill;
+} __attribute__((aligned(16)));
