@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <stdexcept>
 
+#include "isa/elf/effective_addresses.h"
 #include "isa/encoding/disassembler.h"
 #include "isa/timing/code_ranges.h"
 #include "mfc/format.h"
@@ -32,12 +33,15 @@ IsaProgram::IsaProgram(Spe& spe)
   machine_.set_observer(*cycles_);
 }
 
-LoadResult IsaProgram::load(Spe& spe, std::span<const std::byte> file) {
+LoadResult IsaProgram::load(Spe& spe, const ProgramImage& image) {
+  const std::span<const std::byte> file = image.bytes;
   ElfResult elf = read_elf(file);
   if (!elf.program) return {nullptr, EINVAL, elf.error};
   auto program = std::make_unique<IsaProgram>(spe);
   std::string too_large = program->store_.place(*elf.program);
   if (!too_large.empty()) return {nullptr, ENOMEM, std::move(too_large)};
+  std::string unreadable = place_effective_addresses(elf.program->toe, image.toe, program->store_.bytes());
+  if (!unreadable.empty()) return {nullptr, EINVAL, std::move(unreadable)};
   program->overlays_.provide(file, *elf.program, program->store_.bytes());
   program->entry_ = elf.program->entry;
   program->symbols_ = std::move(elf.program->symbols);

@@ -20,7 +20,7 @@ namespace spu_emu::isa {
 
 class IsaProgram final : public Program, private StoreObserver {
  public:
-  static LoadResult load(Spe& spe, std::span<const std::byte> file);
+  static LoadResult load(Spe& spe, const ProgramImage& image);
   explicit IsaProgram(Spe& spe);
 
   LocalStoreView& store() override { return store_.view(); }

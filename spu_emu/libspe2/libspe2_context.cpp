@@ -18,6 +18,12 @@ using spu_emu::fail;
 
 using spu_emu::kSpesPerNode;
 
+int load_image(spe_context_ptr_t spe, const spu_emu::ProgramImage& image) {
+  if (spe->running.load()) return fail(EBUSY);
+  const int error = spe->spe.load(image, &spu_emu::load_program);
+  return error == 0 ? 0 : fail(error);
+}
+
 int node_count() {
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   return processors <= kSpesPerNode ? 1 : (processors + kSpesPerNode - 1) / kSpesPerNode;
@@ -138,16 +144,15 @@ int spe_program_load(spe_context_ptr_t spe, spe_program_handle_t* program) {
   if (!spu_emu::is_here(spe)) return fail(ESRCH);
   if (program == nullptr) return fail(EINVAL);
   const spu_emu::ImageBytes image = spu_emu::image_bytes(*program);
-  const int result = spu_emu::program_load(spe, image.bytes.data(), image.bytes.size());
+  const bool has_toe = program->handle_size >= sizeof *program;
+  const int result = load_image(spe, {image.bytes, has_toe ? program->toe_shadow : nullptr});
   if (!image.error.empty() && result != 0 && errno == EINVAL) spe->spe.set_last_fault(image.error);
   return result;
 }
 
 int spu_emu::program_load(spe_context_ptr_t spe, const void* image, std::size_t size) {
   if (!spu_emu::is_here(spe)) return fail(ESRCH);
-  if (spe->running.load()) return fail(EBUSY);
-  const int error = spe->spe.load({static_cast<const std::byte*>(image), size}, &spu_emu::load_program);
-  return error == 0 ? 0 : fail(error);
+  return load_image(spe, {{static_cast<const std::byte*>(image), size}});
 }
 
 void* spe_ls_area_get(spe_context_ptr_t spe) {

@@ -10,11 +10,11 @@
 
 namespace spu_emu {
 
-LoadResult load_program(Spe& spe, std::span<const std::byte> image) {
-  switch (image_kind(image)) {
+LoadResult load_program(Spe& spe, const ProgramImage& image) {
+  switch (image_kind(image.bytes)) {
     case ImageKind::host_module:
 #ifdef SPU_EMU_HOST_ENGINE
-      return HostProgram::load(spe, image);
+      return HostProgram::load(spe, image.bytes);
 #else
       return {nullptr, ENOTSUP, "programs compiled for x86-64 do not run here"};
 #endif

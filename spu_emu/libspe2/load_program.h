@@ -8,7 +8,7 @@
 namespace spu_emu {
 
 /// Loads an x86-64 module for the host engine, an SPU ELF file for the instruction-level engine.
-LoadResult load_program(Spe& spe, std::span<const std::byte> image);
+LoadResult load_program(Spe& spe, const ProgramImage& image);
 
 }  // namespace spu_emu
 

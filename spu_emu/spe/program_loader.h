@@ -22,9 +22,15 @@ struct LoadResult {
   std::string reason;
 };
 
-/// Loads an image: these bytes and none beyond them. The program refers to `spe`, which outlives it. Throws
-/// std::bad_alloc.
-using ProgramLoader = LoadResult (*)(Spe& spe, std::span<const std::byte> image);
+/// The bytes of an image and none beyond them. `toe`, where it is not null, is what the host side has for the
+/// image's section .toe: the effective addresses that the program knows as _EAR_ and a name.
+struct ProgramImage {
+  std::span<const std::byte> bytes;
+  const void* toe = nullptr;
+};
+
+/// Loads an image. The program refers to `spe`, which outlives it. Throws std::bad_alloc.
+using ProgramLoader = LoadResult (*)(Spe& spe, const ProgramImage& image);
 
 }  // namespace spu_emu
 

@@ -73,7 +73,7 @@ void Spe::unload() {
   program_.reset();
 }
 
-int Spe::load(std::span<const std::byte> image, ProgramLoader load_program) {
+int Spe::load(const ProgramImage& image, ProgramLoader load_program) {
   unload();
   LoadResult result;
   try {

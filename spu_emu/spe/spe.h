@@ -31,7 +31,7 @@ class Spe {
 
   /// Loads an image in the place of the program before, if there was one. 0, or an errno value with the
   /// reason in last_fault(); then nothing is loaded.
-  int load(std::span<const std::byte> image, ProgramLoader load_program);
+  int load(const ProgramImage& image, ProgramLoader load_program);
   bool loaded() const { return program_ != nullptr; }
   /// Null while nothing is loaded.
   Program* program() { return program_.get(); }

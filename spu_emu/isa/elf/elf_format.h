@@ -31,6 +31,7 @@ inline Elf32_Ehdr elf_header(const std::byte* at) {
   header.e_phnum = read_half(at + 44);
   header.e_shentsize = read_half(at + 46);
   header.e_shnum = read_half(at + 48);
+  header.e_shstrndx = read_half(at + 50);
   return header;
 }
 
@@ -47,7 +48,9 @@ inline Elf32_Phdr segment_header(const std::byte* at) {
 
 inline Elf32_Shdr section_header(const std::byte* at) {
   Elf32_Shdr header{};
+  header.sh_name = read_word(at);
   header.sh_type = read_word(at + 4);
+  header.sh_addr = read_word(at + 12);
   header.sh_offset = read_word(at + 16);
   header.sh_size = read_word(at + 20);
   header.sh_link = read_word(at + 24);

@@ -112,6 +112,7 @@ ElfResult read_elf(Bytes file) {
   const std::string error = read_segments(file, header, program);
   if (!error.empty()) return {std::nullopt, "broken SPU program: " + error};
   program.symbols = read_symbols(file, header);
+  program.toe = read_toe(file, header);
   return {std::move(program), {}};
 }
 

@@ -28,6 +28,12 @@ struct ElfSymbol {
   std::string name;
 };
 
+/// A part of the local store.
+struct ElfRange {
+  std::uint32_t ls = 0;
+  std::uint32_t size = 0;
+};
+
 /// What a file says, checked. The segments refer to the file's bytes, which must outlive them.
 struct ElfProgram {
   std::uint32_t entry = 0;
@@ -37,6 +43,8 @@ struct ElfProgram {
   std::uint32_t end = 0;
   /// By rising address; empty for a stripped file.
   std::vector<ElfSymbol> symbols;
+  /// The section .toe, whole quadwords of the local store; empty where there is none.
+  ElfRange toe;
   /// The name in the SPU name note, or empty.
   std::string name;
 };

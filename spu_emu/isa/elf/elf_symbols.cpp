@@ -64,6 +64,19 @@ std::vector<ElfSymbol> read_symbols(Bytes file, const Elf32_Ehdr& header) {
   return symbols;
 }
 
+ElfRange read_toe(Bytes file, const Elf32_Ehdr& header) {
+  const auto names = section(file, header, header.e_shstrndx);
+  if (!names) return {};
+  for (std::uint32_t i = 0; i < header.e_shnum; ++i) {
+    const auto toe = section(file, header, i);
+    if (!toe || text_at(content(file, *names), toe->sh_name) != ".toe") continue;
+    const bool whole = toe->sh_addr % 16 == 0 && toe->sh_size % 16 == 0;
+    const bool fits = toe->sh_addr < kLocalStoreSize && toe->sh_size <= kLocalStoreSize - toe->sh_addr;
+    return whole && fits ? ElfRange{toe->sh_addr, toe->sh_size} : ElfRange{};
+  }
+  return {};
+}
+
 std::string read_name_note(Bytes notes) {
   constexpr std::size_t kHeader = 12;
   constexpr std::string_view kOwner = "SPUNAME";

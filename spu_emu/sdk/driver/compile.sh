@@ -9,10 +9,10 @@ flags_of() {
   esac
 }
 
-# read_line ARGUMENT...: what the command line says about itself.
+# read_line ARGUMENT...: what the command line says about itself; `partial` where it makes no program or starts it itself.
 read_line() {
   local argument
-  standard= common= static= spe2= output= stage=link
+  standard= common= static= spe2= math= partial= output= stage=link
   sources=()
   while [ $# -gt 0 ]; do
     argument=$1
@@ -21,7 +21,9 @@ read_line() {
       -std=* | -ansi | --std=*) standard=$argument ;;
       -fcommon | -fno-common) common=$argument ;;
       -static) static=1 ;;
+      -shared | -r | -nostdlib | -nostartfiles) partial=1 ;;
       -lspe2) spe2=1 ;;
+      -lsimdmath) math=1 ;;
       -lspe) fail "-lspe is libspe 1.x, which is not here: the program must be ported to libspe2 (-lspe2)" ;;
       -c) stage=object ;;
       -E | -S | -M | -MM | -fsyntax-only) stage=text ;;
@@ -103,8 +105,9 @@ compile() {
   done
   # An archive before the objects that use it gives nothing.
   if [ -n "$static" ] && [ -n "$spe2" ]; then line+=(-lspe2); fi
-  # Square roots and conversions of ppu_intrinsics.h are functions there.
-  if [ $side/$stage = ppu32/link ]; then line+=(-lm); fi
+  # Square roots and conversions of ppu_intrinsics.h are functions in 32 bits, and of a PPU's vectors of doubles all are.
+  case $side/$stage/$math in ppu32/link/* | ppu64/link/1) line+=(-lm) ;; esac
+  if [ $side/$stage = ppu32/link ] && [ -z "$partial" ]; then line+=("-Wl,$sdk/ppu32/lib/older_processor.o"); fi
   # Without sources nothing is there to be refused.
   if [ ${#sources[@]} -eq 0 ]; then exec "${line[@]}"; fi
   [ -t 2 ] && color=(-fdiagnostics-color=always)

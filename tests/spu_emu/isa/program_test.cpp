@@ -484,6 +484,52 @@ TEST(IsaProgram, an_overlay_program_finds_its_file_in_main_memory) {
   EXPECT_EQ(context.word(0x1000), first_word);
 }
 
+/// A program that has two quadwords of .toe at 0x400 and exits.
+File program_with_toe() {
+  return ElfBuilder(0x80, {{0x80, {kExit}}, {0x400, {0, 0, 0, 0, 0, 0, 0, 0}}}, {{"begin", 0x80}})
+      .with_toe(0x400, 32)
+      .build();
+}
+
+TEST(IsaProgram, effective_addresses_of_the_handle_come_into_the_section_toe) {
+  IsaContext context(Code{kExit});
+  File file = program_with_toe();
+  const std::uint64_t shadow[] = {0x123456789abcdef0, 5, 0x42, 7};
+  spe_program_handle_t handle{sizeof handle, file.data(), const_cast<std::uint64_t*>(shadow)};
+  ASSERT_EQ(spe_program_load(context.spe, &handle), 0) << last_fault(context.spe);
+  EXPECT_EQ(context.word(0x400), 0x12345678U);
+  EXPECT_EQ(context.word(0x404), 0x9abcdef0U);
+  EXPECT_EQ(context.word(0x408), 0U);
+  EXPECT_EQ(context.word(0x410), 0U);
+  EXPECT_EQ(context.word(0x414), 0x42U);
+  EXPECT_EQ(context.run(), 0);
+}
+
+TEST(IsaProgram, a_handle_that_is_too_small_for_effective_addresses_has_none) {
+  IsaContext context(Code{kExit});
+  File file = program_with_toe();
+  spe_program_handle_t handle{sizeof handle - sizeof(void*), file.data(), file.data()};
+  ASSERT_EQ(spe_program_load(context.spe, &handle), 0);
+  EXPECT_EQ(context.word(0x400), 0U);
+}
+
+TEST(IsaProgram, effective_addresses_that_cannot_be_read_are_refused) {
+  IsaContext context(Code{kExit});
+  File file = program_with_toe();
+  spe_program_handle_t handle{sizeof handle, file.data(), reinterpret_cast<void*>(0x1000)};
+  EXPECT_EQ(spe_program_load(context.spe, &handle), -1);
+  EXPECT_EQ(errno, EINVAL);
+  context.expect_fault("broken handle: the 32 bytes of toe_shadow at 0x1000");
+}
+
+TEST(IsaProgram, a_section_toe_outside_of_the_local_store_counts_for_nothing) {
+  IsaContext context(Code{kExit});
+  File file = ElfBuilder(0x80, {{0x80, {kExit}}}, {{"begin", 0x80}}).with_toe(0x3fff0, 32).build();
+  spe_program_handle_t handle{sizeof handle, file.data(), file.data()};
+  EXPECT_EQ(spe_program_load(context.spe, &handle), 0);
+  EXPECT_EQ(context.run(), 0);
+}
+
 TEST(IsaProgram, either_kind_of_program_may_follow_the_other_in_a_context) {
   IsaContext context(Code{kExit});
   std::vector<std::byte> broken(256);

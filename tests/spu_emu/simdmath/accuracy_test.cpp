@@ -75,16 +75,18 @@ INSTANTIATE_TEST_SUITE_P(Functions, AccuracyOf, testing::ValuesIn(cases({"f4", "
 class AccuracyOnPpuOf : public testing::TestWithParam<Case> {};
 
 TEST_P(AccuracyOnPpuOf, IsAsThePageStatesForEveryExponent) {
+  const Format& format = GetParam().function.back() == '4' ? kPpuFloat : kPpuDouble;
   for (const char* command : {SIMDMATH_PPU64, SIMDMATH_PPU32}) {
-    check(GetParam(), kPpuFloat, 1, [command](unsigned function, const std::vector<Call>& calls) {
+    check(GetParam(), format, 1, [command](unsigned function, const std::vector<Call>& calls) {
       return evaluate_on_ppu(command, function, calls);
     });
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Functions, AccuracyOnPpuOf, testing::ValuesIn(cases({"f4"})), [](const auto& test) {
-  return test.param.function + (test.param.reference.second ? "_second" : "");
-});
+INSTANTIATE_TEST_SUITE_P(Functions, AccuracyOnPpuOf, testing::ValuesIn(cases({"f4", "d2"})),
+                         [](const auto& test) {
+                           return test.param.function + (test.param.reference.second ? "_second" : "");
+                         });
 #endif
 
 }  // namespace

@@ -22,6 +22,16 @@ template <typename V>
 void store(V v, Register* r) {
   r->words = (vec_uint4)(qword)v;
 }
+#else
+template <typename V>
+V load(const Register& r) {
+  return (V)r.words;
+}
+template <typename V>
+void store(V v, Register* r) {
+  r->words = (vec_uint4)v;
+}
+#endif
 inline void store(llroundf4_t v, Register* r) {
   store(v.vll[0], r);
   store(v.vll[1], r + 1);
@@ -34,16 +44,6 @@ inline void store(lldivu2_t v, Register* r) {
   store(v.quot, r);
   store(v.rem, r + 1);
 }
-#else
-template <typename V>
-V load(const Register& r) {
-  return (V)r.words;
-}
-template <typename V>
-void store(V v, Register* r) {
-  r->words = (vec_uint4)v;
-}
-#endif
 inline void store(divi4_t v, Register* r) {
   store(v.quot, r);
   store(v.rem, r + 1);

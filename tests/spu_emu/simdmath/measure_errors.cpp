@@ -18,12 +18,12 @@ void print_errors(const Reference& reference, const std::string& function, int d
   const Accuracy spu =
       measure(reference, function, is_float ? kSpuFloat : kSpuDouble, evaluate_precisely_on_host, density);
   std::printf("%s %.3f ", function.c_str(), spu.error);
-  if (!is_float || ppu.empty()) {
+  if (ppu.empty()) {
     std::printf("- %s\n", spu.worst.c_str());
     return;
   }
   const Accuracy other = measure(
-      reference, function, kPpuFloat,
+      reference, function, is_float ? kPpuFloat : kPpuDouble,
       [&ppu](unsigned number, const std::vector<Call>& calls) { return evaluate_on_ppu(ppu, number, calls); },
       density);
   std::printf("%.3f %s; PPU: %s\n", other.error, spu.worst.c_str(), other.worst.c_str());

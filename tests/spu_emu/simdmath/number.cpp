@@ -40,7 +40,9 @@ std::uint64_t as_operand(const Format& f, std::uint64_t bits) {
 
 void set_to(Number& number, const Format& f, std::uint64_t bits) {
   const std::uint64_t exponent = exponent_of(f, bits);
-  if (kind_of(f, bits) == Kind::infinite) {
+  if (kind_of(f, bits) == Kind::none) {
+    mpfr_set_nan(number);
+  } else if (kind_of(f, bits) == Kind::infinite) {
     mpfr_set_inf(number, 1);
   } else if (exponent == 0) {
     mpfr_set_ui_2exp(number, f.has_denormals ? fraction_of(f, bits) : 0, smallest(f) - f.fraction_bits,
@@ -53,7 +55,7 @@ void set_to(Number& number, const Format& f, std::uint64_t bits) {
   mpfr_setsign(number, number, is_negative(f, bits) ? 1 : 0, MPFR_RNDN);
 }
 
-double error_of(const Format& f, std::uint64_t result, const Number& exact) {
+double error_of(const Format& f, std::uint64_t result, const Number& exact, const Number& size) {
   constexpr double kWrong = std::numeric_limits<double>::infinity();
   const Kind kind = kind_of(f, result);
   if (mpfr_nan_p(exact) != 0) {
@@ -79,8 +81,9 @@ double error_of(const Format& f, std::uint64_t result, const Number& exact) {
   if (!f.takes_denormals && mpfr_zero_p(exact) != 0 && exponent_of(f, result) == 0) return 0;
   const bool too_small = mpfr_zero_p(exact) == 0 && mpfr_get_exp(exact) - 1 < smallest(f);
   if (too_small && !f.has_denormals && mpfr_zero_p(value) != 0) return 0;
+  const mpfr_srcptr unit_of = mpfr_cmpabs(size, exact) > 0 ? size : exact;
   const long exponent =
-      mpfr_zero_p(exact) != 0 ? smallest(f) : std::max<long>(mpfr_get_exp(exact) - 1, smallest(f));
+      mpfr_zero_p(unit_of) != 0 ? smallest(f) : std::max<long>(mpfr_get_exp(unit_of) - 1, smallest(f));
   mpfr_sub(value, value, exact, MPFR_RNDN);
   mpfr_mul_2si(value, value, f.fraction_bits - exponent, MPFR_RNDN);
   return std::fabs(mpfr_get_d(value, MPFR_RNDN));

@@ -5,7 +5,8 @@
 
 namespace simdmath_test {
 
-/// `command` runs the program, as in "qemu-ppc64 program". Functions that the SPU alone has are not there.
+/// `command` runs the program, as in "qemu-ppc64 program". Functions that the SPU alone has are not there:
+/// their numbers are the last.
 std::vector<Result> evaluate_on_ppu(const std::string& command, unsigned function,
                                     const std::vector<Call>& calls);
 

@@ -42,6 +42,14 @@ void logarithm_of_gamma(Number& result, const Number& x, const Number&, const Nu
   int sign = 0;
   mpfr_lgamma(result, &sign, x, kNearest);
 }
+/// Between the poles left of -2 the logarithm has zeros, where it is a difference of terms of this size.
+void size_of_logarithm_of_gamma(Number& result, const Number& x) {
+  int sign = 0;
+  mpfr_set_zero(result, 1);
+  if (mpfr_sgn(static_cast<mpfr_srcptr>(x)) >= 0) return;
+  mpfr_neg(result, x, kNearest);
+  mpfr_lgamma(result, &sign, result, kNearest);
+}
 void fraction(Number& result, const Number& x, const Number&, const Number&) {
   mpfr_frac(result, x, kNearest);
 }
@@ -76,7 +84,7 @@ const std::vector<Reference>& references() {
       {"fmin", 2, binary<mpfr_min>},
       {"fmod", 2, remainder_toward_zero},
       {"hypot", 2, binary<mpfr_hypot>},
-      {"lgamma", 1, logarithm_of_gamma},
+      {"lgamma", 1, logarithm_of_gamma, false, size_of_logarithm_of_gamma},
       {"log", 1, unary<mpfr_log>},
       {"log10", 1, unary<mpfr_log10>},
       {"log1p", 1, unary<mpfr_log1p>},

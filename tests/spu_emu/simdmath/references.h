@@ -15,6 +15,8 @@ struct Reference {
   void (*exact)(Number& result, const Number& x, const Number& y, const Number& z);
   /// Of two results the second.
   bool second = false;
+  /// Of doubles: what an error is measured by where that is larger than the result. None where not set.
+  void (*size)(Number& result, const Number& x) = nullptr;
 };
 
 /// For names with the ending f4 or d2.

@@ -57,6 +57,12 @@ class ElfBuilder {
   ElfBuilder(std::uint32_t entry, std::vector<TestSegment> segments, std::vector<TestSymbol> symbols = {})
       : entry_(entry), segments_(std::move(segments)), symbols_(std::move(symbols)) {}
 
+  /// Adds a section .toe, which has no bytes in the file; only with symbols.
+  ElfBuilder& with_toe(std::uint32_t address, std::uint32_t size) {
+    toe_ = {address, {}, size};
+    return *this;
+  }
+
   File build() {
     header();
     for (std::size_t i = 0; i < segments_.size(); ++i) segment(i);
@@ -108,23 +114,31 @@ class ElfBuilder {
       append_word((std::uint32_t{ELF32_ST_INFO(STB_GLOBAL, STT_FUNC)} << 24U) | 1U);
       names += symbol.name + '\0';
     }
+    const auto toe_name = static_cast<std::uint32_t>(names.size());
+    names += std::string(".toe") + '\0';
     const auto names_at = static_cast<std::uint32_t>(file_.size());
     for (const char c : names) file_.push_back(std::byte(c));
     const auto table_at = static_cast<std::uint32_t>(file_.size());
     put_word(file_, 32, table_at);
-    put_half(file_, 48, 3);
+    put_half(file_, 48, 4);
+    put_half(file_, 50, 2);
     section(SHT_NULL, 0, 0, 0);
     section(SHT_SYMTAB, symbols_at, names_at - symbols_at, 2);
     section(SHT_STRTAB, names_at, static_cast<std::uint32_t>(names.size()), 0);
+    const std::uint32_t toe_type = toe_.memory_size == 0 ? SHT_NULL : SHT_NOBITS;
+    section(toe_type, 0, toe_.memory_size, 0, toe_name, toe_.ls);
   }
 
-  void section(std::uint32_t type, std::uint32_t offset, std::uint32_t size, std::uint32_t link) {
-    for (const std::uint32_t word : {0U, type, 0U, 0U, offset, size, link, 0U, 1U, 16U}) append_word(word);
+  void section(std::uint32_t type, std::uint32_t offset, std::uint32_t size, std::uint32_t link,
+               std::uint32_t name = 0, std::uint32_t address = 0) {
+    for (const std::uint32_t word : {name, type, 0U, address, offset, size, link, 0U, 1U, 16U})
+      append_word(word);
   }
 
   std::uint32_t entry_;
   std::vector<TestSegment> segments_;
   std::vector<TestSymbol> symbols_;
+  TestSegment toe_;
   File file_;
 };
 

@@ -217,6 +217,8 @@ static inline vec_double2 _nextafterd2(vec_double2 x, vec_double2 y) {
   return sm_dkeep_nan(sm_dkeep_nan(sm_dsel(next, y, sm_deq(x, y)), x), y);
 }
 
+#else
+#include "simdmath/private/ppu_doubles.h"
 #endif
 
 #endif

@@ -124,6 +124,8 @@ static inline vec_double2 _hypotd2(vec_double2 x, vec_double2 y) {
                  sm_dis_infinite(x) | sm_dis_infinite(y));
 }
 
+#else
+#include "simdmath/private/ppu_doubles.h"
 #endif
 
 #endif

@@ -29,10 +29,9 @@ static inline vec_double2 _expd2(vec_double2 x) {
   return sm_dkeep_nan(sm_dscale(sm_dadd(minus_one, SM_D2(1.0)), power), x);
 }
 
-/* 2^(x + low). */
-SM_INLINE vec_double2 sm_dexp2_of_pair(vec_double2 x, vec_double2 low) {
-  vec_int4 power;
-  const vec_double2 k = sm_dnearest(x, &power);
+/* 2^(x + low) = result * 2^power. */
+SM_INLINE vec_double2 sm_dexp2_parts(vec_double2 x, vec_double2 low, vec_int4* power) {
+  const vec_double2 k = sm_dnearest(x, power);
   const vec_double2 high = sm_dsub(x, k);
   const vec_double2 r = sm_dadd(high, low);
   const vec_double2 rest = sm_dadd(low, sm_dsub(high, r));
@@ -40,7 +39,12 @@ SM_INLINE vec_double2 sm_dexp2_of_pair(vec_double2 x, vec_double2 low) {
   const vec_double2 y = sm_dmul(r, ln2);
   const vec_double2 y_low =
       sm_dmadd(rest, ln2, sm_dmadd(r, SM_D2(0x1.abc9e3b39803fp-56), sm_dmsub(r, ln2, y)));
-  return sm_dscale(sm_dadd(sm_dexp_near(y, y_low), SM_D2(1.0)), power);
+  return sm_dadd(sm_dexp_near(y, y_low), SM_D2(1.0));
+}
+SM_INLINE vec_double2 sm_dexp2_of_pair(vec_double2 x, vec_double2 low) {
+  vec_int4 power;
+  const vec_double2 result = sm_dexp2_parts(x, low, &power);
+  return sm_dscale(result, power);
 }
 static inline vec_double2 _exp2d2(vec_double2 x) {
   return sm_dkeep_nan(sm_dexp2_of_pair(sm_dlimit(x, SM_D2(1500.0)), SM_D2(0.0)), x);
@@ -201,6 +205,8 @@ static inline vec_double2 _powd2(vec_double2 x, vec_double2 y) {
   return sm_dsel(result, SM_D2(1.0), sm_dis_zero(y) | sm_deq_words(sm_dwords(x), SM_D_ONE));
 }
 
+#else
+#include "simdmath/private/ppu_doubles.h"
 #endif
 
 #endif

@@ -90,6 +90,8 @@ static inline vec_double2 _atanhd2(vec_double2 x) {
   return sm_dkeep_nan(sm_dsel(result, x, sm_dabsgt(SM_D2(0x1p-28), x)), x);
 }
 
+#else
+#include "simdmath/private/ppu_doubles.h"
 #endif
 
 #endif

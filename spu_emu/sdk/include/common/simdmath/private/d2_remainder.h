@@ -96,6 +96,8 @@ static inline vec_double2 _remainderd2(vec_double2 x, vec_double2 y) {
   return _remquod2(x, y, &quotient);
 }
 
+#else
+#include "simdmath/private/ppu_doubles.h"
 #endif
 
 #endif

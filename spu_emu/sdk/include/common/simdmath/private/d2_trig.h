@@ -217,6 +217,8 @@ static inline vec_double2 _atan2d2(vec_double2 y, vec_double2 x) {
   return sm_dkeep_nan(sm_dkeep_nan(sm_dsigned(result, sm_dsign(y)), x), y);
 }
 
+#else
+#include "simdmath/private/ppu_doubles.h"
 #endif
 
 #endif

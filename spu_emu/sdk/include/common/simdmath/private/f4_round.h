@@ -65,8 +65,6 @@ static inline vec_int4 _iroundf4(vec_float4 x) {
   return sm_ftoi(_roundf4(x));
 }
 
-#ifdef __SPU__
-
 /* A float that is whole as a 64-bit number, limited to what that holds. */
 SM_INLINE long long sm_whole_to_ll(unsigned int bits) {
   const int power = (int)(bits >> 23 & 255u) - 150;
@@ -85,8 +83,8 @@ SM_INLINE llroundf4_t sm_wholes_to_ll(vec_float4 x) {
   } in;
   llroundf4_t result;
   in.all = x;
-  result.vll[0] = (vec_llong2){sm_whole_to_ll(in.element[0]), sm_whole_to_ll(in.element[1])};
-  result.vll[1] = (vec_llong2){sm_whole_to_ll(in.element[2]), sm_whole_to_ll(in.element[3])};
+  result.vll[0] = sm_ll2(sm_whole_to_ll(in.element[0]), sm_whole_to_ll(in.element[1]));
+  result.vll[1] = sm_ll2(sm_whole_to_ll(in.element[2]), sm_whole_to_ll(in.element[3]));
   return result;
 }
 
@@ -96,6 +94,8 @@ static inline llroundf4_t _llrintf4(vec_float4 x) {
 static inline llroundf4_t _llroundf4(vec_float4 x) {
   return sm_wholes_to_ll(_roundf4(x));
 }
+
+#ifdef __SPU__
 
 /* For magnitudes below 2^31. */
 static inline vec_float4 _floorf4_fast(vec_float4 x) {

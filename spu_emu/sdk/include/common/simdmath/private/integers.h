@@ -62,42 +62,47 @@ static inline divi4_t _divi4(vec_int4 dividend, vec_int4 divisor) {
   return result;
 }
 
-#ifdef __SPU__
-
 static inline vec_llong2 _negatell2(vec_llong2 x) {
+#ifdef __SPU__
   return (vec_llong2)((vec_ullong2){0, 0} - (vec_ullong2)x);
+#else
+  return sm_ll2((long long)(0 - (unsigned long long)sm_llat(x, 0)),
+                (long long)(0 - (unsigned long long)sm_llat(x, 1)));
+#endif
 }
 
 SM_INLINE unsigned long long sm_llmagnitude(long long x) {
   return x < 0 ? 0 - (unsigned long long)x : (unsigned long long)x;
 }
 static inline vec_llong2 _llabsi2(vec_llong2 x) {
-  return (vec_llong2)(vec_ullong2){sm_llmagnitude(x[0]), sm_llmagnitude(x[1])};
+  return sm_ll2((long long)sm_llmagnitude(sm_llat(x, 0)), (long long)sm_llmagnitude(sm_llat(x, 1)));
 }
 
+SM_INLINE unsigned long long sm_llquotient(unsigned long long dividend, unsigned long long divisor) {
+  return divisor == 0 ? 0 : dividend / divisor;
+}
 static inline lldivu2_t _lldivu2(vec_ullong2 dividend, vec_ullong2 divisor) {
+  const unsigned long long a0 = sm_ullat(dividend, 0), a1 = sm_ullat(dividend, 1);
+  const unsigned long long b0 = sm_ullat(divisor, 0), b1 = sm_ullat(divisor, 1);
+  const unsigned long long q0 = sm_llquotient(a0, b0), q1 = sm_llquotient(a1, b1);
   lldivu2_t result;
-  result.quot = (vec_ullong2){divisor[0] == 0 ? 0 : dividend[0] / divisor[0],
-                              divisor[1] == 0 ? 0 : dividend[1] / divisor[1]};
-  result.rem =
-      (vec_ullong2){dividend[0] - result.quot[0] * divisor[0], dividend[1] - result.quot[1] * divisor[1]};
+  result.quot = sm_ull2(q0, q1);
+  result.rem = sm_ull2(a0 - q0 * b0, a1 - q1 * b1);
   return result;
 }
 
-SM_INLINE unsigned long long sm_llwith_sign(unsigned long long magnitude, int negative) {
-  return negative ? 0 - magnitude : magnitude;
+SM_INLINE long long sm_llwith_sign(unsigned long long magnitude, int negative) {
+  return (long long)(negative ? 0 - magnitude : magnitude);
 }
 static inline lldivi2_t _lldivi2(vec_llong2 dividend, vec_llong2 divisor) {
   const lldivu2_t magnitudes = _lldivu2((vec_ullong2)_llabsi2(dividend), (vec_ullong2)_llabsi2(divisor));
+  const long long a0 = sm_llat(dividend, 0), a1 = sm_llat(dividend, 1);
   lldivi2_t result;
-  result.quot =
-      (vec_llong2)(vec_ullong2){sm_llwith_sign(magnitudes.quot[0], (dividend[0] < 0) != (divisor[0] < 0)),
-                                sm_llwith_sign(magnitudes.quot[1], (dividend[1] < 0) != (divisor[1] < 0))};
-  result.rem = (vec_llong2)(vec_ullong2){sm_llwith_sign(magnitudes.rem[0], dividend[0] < 0),
-                                         sm_llwith_sign(magnitudes.rem[1], dividend[1] < 0)};
+  result.quot = sm_ll2(sm_llwith_sign(sm_ullat(magnitudes.quot, 0), (a0 < 0) != (sm_llat(divisor, 0) < 0)),
+                       sm_llwith_sign(sm_ullat(magnitudes.quot, 1), (a1 < 0) != (sm_llat(divisor, 1) < 0)));
+  result.rem = sm_ll2(sm_llwith_sign(sm_ullat(magnitudes.rem, 0), a0 < 0),
+                      sm_llwith_sign(sm_ullat(magnitudes.rem, 1), a1 < 0));
   return result;
 }
-
-#endif
 
 #endif

@@ -112,4 +112,52 @@ SM_INLINE vec_double2 sm_poly_cbrt_d2(vec_double2 x) {
   return p;
 }
 
+/* erf(x) = x + x p(x^2): 56.3 bits. */
+SM_INLINE vec_double2 sm_poly_erf_d2(vec_double2 x) {
+  vec_double2 p = SM_D2(-0x1.2928f057419c7p-38);
+  p = sm_dmadd(p, x, SM_D2(0x1.7ecbf69b56258p-34));
+  p = sm_dmadd(p, x, SM_D2(-0x1.4e55cc7e0371ap-30));
+  p = sm_dmadd(p, x, SM_D2(0x1.fc41171118b59p-27));
+  p = sm_dmadd(p, x, SM_D2(-0x1.5f6d6b5130adbp-23));
+  p = sm_dmadd(p, x, SM_D2(0x1.b9e64d07bf417p-20));
+  p = sm_dmadd(p, x, SM_D2(-0x1.f4d255e14619p-17));
+  p = sm_dmadd(p, x, SM_D2(0x1.f9a326bfb7106p-14));
+  p = sm_dmadd(p, x, SM_D2(-0x1.c02db3fed8f64p-11));
+  p = sm_dmadd(p, x, SM_D2(0x1.565bcd0e64ab7p-8));
+  p = sm_dmadd(p, x, SM_D2(-0x1.b82ce3128899bp-6));
+  p = sm_dmadd(p, x, SM_D2(0x1.ce2f21a042bddp-4));
+  p = sm_dmadd(p, x, SM_D2(-0x1.812746b0379e7p-2));
+  p = sm_dmadd(p, x, SM_D2(0x1.06eba8214db69p-3));
+  return p;
+}
+
+/* (1 + 2 y) e^(y^2) erfc(y) = 1 + p((y - 4) / (y + 4)): 55.3 bits. */
+SM_INLINE vec_double2 sm_poly_erfc_d2(vec_double2 x) {
+  vec_double2 p = SM_D2(0x1.49571634bd976p-30);
+  p = sm_dmadd(p, x, SM_D2(0x1.cd0aff790e878p-30));
+  p = sm_dmadd(p, x, SM_D2(-0x1.e3761b9373aacp-27));
+  p = sm_dmadd(p, x, SM_D2(-0x1.2c204424edab1p-26));
+  p = sm_dmadd(p, x, SM_D2(0x1.d9e065c6bdbb6p-24));
+  p = sm_dmadd(p, x, SM_D2(0x1.3e47a53fcd85ep-24));
+  p = sm_dmadd(p, x, SM_D2(-0x1.bb6ffb42a4d43p-21));
+  p = sm_dmadd(p, x, SM_D2(0x1.3bda9652361bdp-22));
+  p = sm_dmadd(p, x, SM_D2(0x1.7f346f59a077fp-18));
+  p = sm_dmadd(p, x, SM_D2(-0x1.788dd16dfd346p-17));
+  p = sm_dmadd(p, x, SM_D2(-0x1.995ace7bcd243p-16));
+  p = sm_dmadd(p, x, SM_D2(0x1.3be06c0b45d76p-13));
+  p = sm_dmadd(p, x, SM_D2(-0x1.a1df16156bc9ap-13));
+  p = sm_dmadd(p, x, SM_D2(-0x1.8d4a9c4ddead2p-11));
+  p = sm_dmadd(p, x, SM_D2(0x1.49c6726f02644p-8));
+  p = sm_dmadd(p, x, SM_D2(-0x1.096238829b264p-6));
+  p = sm_dmadd(p, x, SM_D2(0x1.3079edf6d4d4cp-5));
+  p = sm_dmadd(p, x, SM_D2(-0x1.0fb06dfe55359p-4));
+  p = sm_dmadd(p, x, SM_D2(0x1.7fee004e0fdf1p-4));
+  p = sm_dmadd(p, x, SM_D2(-0x1.9ddb23c3e8956p-4));
+  p = sm_dmadd(p, x, SM_D2(0x1.16ecefcfa54a5p-4));
+  p = sm_dmadd(p, x, SM_D2(0x1.f7f5df66fd6ccp-7));
+  p = sm_dmadd(p, x, SM_D2(-0x1.1df1ad154a28fp-3));
+  p = sm_dmadd(p, x, SM_D2(0x1.dd2c8b74febf6p-3));
+  return p;
+}
+
 #endif

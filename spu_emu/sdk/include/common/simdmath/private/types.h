@@ -24,8 +24,6 @@ typedef struct divu4_s {
   vec_uint4 rem;
 } divu4_t;
 
-#ifdef __SPU__
-
 typedef struct lldivi2_s {
   vec_llong2 quot;
   vec_llong2 rem;
@@ -41,6 +39,43 @@ typedef struct llroundf4_s {
   vec_llong2 vll[2];
 } llroundf4_t;
 
+/* Vectors of 64-bit integers and their elements. The PPU knows them by name only: there they go through
+ * memory. */
+#ifdef __SPU__
+SM_INLINE vec_llong2 sm_ll2(long long a, long long b) {
+  return (vec_llong2){a, b};
+}
+SM_INLINE vec_ullong2 sm_ull2(unsigned long long a, unsigned long long b) {
+  return (vec_ullong2){a, b};
+}
+SM_INLINE long long sm_llat(vec_llong2 x, int i) {
+  return x[i];
+}
+SM_INLINE unsigned long long sm_ullat(vec_ullong2 x, int i) {
+  return x[i];
+}
+#else
+typedef union sm_longs {
+  vec_llong2 all;
+  long long element[2];
+} sm_longs;
+SM_INLINE vec_llong2 sm_ll2(long long a, long long b) {
+  sm_longs longs;
+  longs.element[0] = a;
+  longs.element[1] = b;
+  return longs.all;
+}
+SM_INLINE vec_ullong2 sm_ull2(unsigned long long a, unsigned long long b) {
+  return (vec_ullong2)sm_ll2((long long)a, (long long)b);
+}
+SM_INLINE long long sm_llat(vec_llong2 x, int i) {
+  sm_longs longs;
+  longs.all = x;
+  return longs.element[i];
+}
+SM_INLINE unsigned long long sm_ullat(vec_ullong2 x, int i) {
+  return (unsigned long long)sm_llat((vec_llong2)x, i);
+}
 #endif
 
 #endif
