@@ -107,15 +107,13 @@ void Directory::set_owner(GlobalId id, std::uint32_t owner) {
 }
 
 Status Directory::exchange(std::vector<Message>& out, std::vector<Message>& in) {
-  std::vector<Message> self;
-  for (Message& message : out) {
-    if (message.rank == job_.rank()) self.push_back(std::move(message));
-  }
-  std::erase_if(out, [&](const Message& message) { return message.rank == job_.rank(); });
+  const auto self =
+      std::ranges::partition(out, [&](const Message& message) { return message.rank != job_.rank(); });
+  const std::span<Message> others(out.begin(), self.begin());
   ++rounds_;
-  messages_ += out.size();
-  for (const Message& message : out) bytes_ += message.words.size() * sizeof(std::uint64_t);
-  Status status = job_.exchange(out, in);
+  messages_ += others.size();
+  for (const Message& message : others) bytes_ += message.words.size() * sizeof(std::uint64_t);
+  const Status status = job_.exchange(others, in);
   return job_.agree([&] {
     for (Message& message : self) in.push_back(std::move(message));
     return status;
@@ -277,7 +275,8 @@ Status Directory::refuse(HeldBodies& held, StagedCalls& calls,
     }
     return {};
   });
-  return status.ok() ? job_.agree(refusal) : status;
+  if (!status.ok()) return status;
+  return job_.agree(refusal);
 }
 
 Status Directory::resolve(HeldBodies& held, StagedCalls& calls) {
