@@ -1,6 +1,7 @@
 #include "ranks/directory.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -107,15 +108,15 @@ void Directory::set_owner(GlobalId id, std::uint32_t owner) {
 }
 
 Status Directory::exchange(std::vector<Message>& out, std::vector<Message>& in) {
-  const auto self =
-      std::ranges::partition(out, [&](const Message& message) { return message.rank != job_.rank(); });
-  const std::span<Message> others(out.begin(), self.begin());
+  const auto is_of_others = [&](const Message& message) { return message.rank != job_.rank(); };
+  const auto self = std::partition(out.begin(), out.end(), is_of_others);
+  const std::span<Message> others(out.begin(), self);
   ++rounds_;
   messages_ += others.size();
   for (const Message& message : others) bytes_ += message.words.size() * sizeof(std::uint64_t);
   const Status status = job_.exchange(others, in);
   return job_.agree([&] {
-    for (Message& message : self) in.push_back(std::move(message));
+    in.insert(in.end(), std::make_move_iterator(self), std::make_move_iterator(out.end()));
     return status;
   });
 }
