@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cerrno>
 
+#include "mfc/touch.h"
+
 namespace spu_emu {
 
 namespace {
@@ -72,6 +74,10 @@ struct GuardSignals {
   static void on_error(int signal, siginfo_t* info, void* context) {
     const int error = errno;
     auto& machine = *static_cast<ucontext_t*>(context);
+    if (const std::uintptr_t next = touch_goes_on_at(instruction_of(machine)); next != 0) {
+      machine.uc_mcontext.gregs[REG_RIP] = static_cast<greg_t>(next);
+      return;
+    }
     ProgramGuard* const guard = running;
     if (guard != nullptr && guard->contains_errors && guard->in_program.load(std::memory_order_relaxed) &&
         is_from_program(signal, *info)) {
@@ -109,10 +115,12 @@ struct GuardSignals {
   GuardSignals() {
     const struct sigaction wanted = action(&on_error);
     for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &wanted, &handlers_before[i]);
+    guard_touches(true);
   }
 
   /// A library that is unloaded must leave no handler behind; one that somebody put over it is his.
   ~GuardSignals() {
+    guard_touches(false);
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
       struct sigaction now {};
       const bool is_own = sigaction(kSignals[i], nullptr, &now) == 0 && now.sa_sigaction == &on_error;

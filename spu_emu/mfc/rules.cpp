@@ -5,11 +5,31 @@
 #include "mfc/mapped.h"
 #include "mfc/spe_directory.h"
 #include "mfc/tag_table.h"
+#include "mfc/touch.h"
 
 namespace spu_emu {
 
 namespace {
 constexpr std::uint32_t kProxyTagCount = 16;
+
+/// What may have become of an address on its way from a host of the other byte order, or nothing.
+std::string exchanged_hint(std::uint64_t ea, std::uint32_t size) {
+  const std::uint64_t exchanged = ea << 32U | ea >> 32U;
+  if (exchanged == ea || is_bad_address(exchanged, size) || !is_mapped(exchanged, size, Access::read))
+    return {};
+  return format(
+      "; its two words exchanged, 0x%llx, it is memory of this process: an address that crosses as two words "
+      "has the "
+      "high one first",
+      static_cast<unsigned long long>(exchanged));
+}
+
+/// The same where the address has lost its high half.
+std::string narrow_hint(std::uint64_t ea) {
+  const bool is_narrow = sizeof(void*) == 8 && ea >= 0x10000U && ea >> 32U == 0;
+  return is_narrow ? "; it has 32 bits, and addresses of this host have 64: all of them must be handed on"
+                   : "";
+}
 
 bool is_small_size(std::uint32_t size) {
   return size == 1 || size == 2 || size == 4 || size == 8;
@@ -31,14 +51,17 @@ void check_size(const Command& command, std::uint32_t size) {
 void check_alignment(const Command& command, std::uint32_t ls, std::uint64_t ea, std::uint32_t size) {
   if (is_small_size(size)) {
     if (ls % size != 0 || ea % size != 0) {
-      fail(Rule::natural_alignment, format("both addresses must be multiples of %u", size), command);
+      fail(Rule::natural_alignment,
+           format("both addresses must be multiples of %u", size) + exchanged_hint(ea, size), command);
     }
     if (((ls ^ ea) & 15U) != 0) {
-      fail(Rule::quadword_offset, "below 16 bytes the low 4 bits of LS address and EA must be equal",
+      fail(Rule::quadword_offset,
+           "below 16 bytes the low 4 bits of LS address and EA must be equal" + exchanged_hint(ea, size),
            command);
     }
   } else if (size != 0 && ((ls | ea) & 15U) != 0) {
-    fail(Rule::quadword_alignment, "from 16 bytes on both addresses must be multiples of 16", command);
+    fail(Rule::quadword_alignment,
+         "from 16 bytes on both addresses must be multiples of 16" + exchanged_hint(ea, size), command);
   }
 }
 
@@ -55,10 +78,41 @@ void check_list(const Command& command, LocalStoreView& store) {
   }
 }
 
-/// Real SPU code is no part of this process: what it names is checked before this process touches it.
-void check_if_foreign(const Command& command, std::uint64_t ea, std::uint32_t size,
-                      const LocalStoreView& store) {
-  if (store.has_real_code()) check_mapped(command, ea, size);
+/// An SPE's local store and registers are checked by the transfer itself.
+bool is_in_window(std::uint64_t ea) {
+  bool found = false;
+  if (SpeDirectory::may_be_window(ea)) {
+    SpeDirectory::instance().with_window(ea, [&](const SpeWindow* window) { found = window != nullptr; });
+  }
+  return found;
+}
+
+[[noreturn]] void fail_address(const Command& command, const char* what, std::uint64_t ea,
+                               std::uint32_t size) {
+  fail(Rule::effective_address, what + exchanged_hint(ea, size) + narrow_hint(ea), command);
+}
+
+[[noreturn]] void fail_access(const Command& command, Access access, std::uint64_t ea, std::uint32_t size) {
+  fail_address(command,
+               access == Access::write ? "this process has no memory there that can be written"
+                                       : "this process has no memory there that can be read",
+               ea, size);
+}
+
+Access access_of(const Command& command) {
+  return is_get(command.opcode) || command.opcode == MFC_GETLLAR_CMD ? Access::read : Access::write;
+}
+
+void check_address(const Command& command, std::uint64_t ea, std::uint32_t size) {
+  if (is_bad_address(ea, size)) fail_address(command, "no program memory can be there", ea, size);
+}
+
+/// What a program names is checked before this process uses it. Real SPU code may make up any address in a
+/// loop, so for that the system is asked.
+void check_memory(const Command& command, std::uint64_t ea, std::uint32_t size, const LocalStoreView& store) {
+  if (store.has_real_code()) return check_mapped(command, ea, size);
+  if (size == 0 || is_in_window(ea)) return;
+  if (!can_touch(ea, size, access_of(command))) fail_access(command, access_of(command), ea, size);
 }
 
 void check_line(const Command& command, LocalStoreView& store) {
@@ -66,10 +120,8 @@ void check_line(const Command& command, LocalStoreView& store) {
   if (store.at(ls, kLineSize) == nullptr) {
     fail(Rule::local_store_range, store.why_not(ls, kLineSize), command);
   }
-  if (is_bad_address(command.ea, kLineSize)) {
-    fail(Rule::effective_address, "no program memory can be there", command);
-  }
-  check_if_foreign(command, command.ea & ~std::uint64_t{kLineSize - 1}, kLineSize, store);
+  check_address(command, command.ea, kLineSize);
+  check_memory(command, command.ea & ~std::uint64_t{kLineSize - 1}, kLineSize, store);
 }
 
 void check_tag(const Command& command, Issuer issuer) {
@@ -92,11 +144,9 @@ std::byte* check_transfer(const Command& command, std::uint32_t ls, std::uint64_
   check_alignment(command, ls, ea, size);
   std::byte* host = store.at(ls, size);
   if (host == nullptr) fail(Rule::local_store_range, store.why_not(ls, size), command);
-  if (size != 0 && is_bad_address(ea, size)) {
-    fail(Rule::effective_address, "no program memory can be there", command);
-  }
+  if (size != 0) check_address(command, ea, size);
   check_words(command, ls, ea, size, store);
-  check_if_foreign(command, ea, size, store);
+  check_memory(command, ea, size, store);
   return host;
 }
 
@@ -141,10 +191,8 @@ std::byte* check_command(const Command& command, Issuer issuer, LocalStoreView& 
     case MFC_SDCRZ_CMD:
       if (command.size > kLargestTransfer)
         fail(Rule::transfer_size, "more than 16384 bytes to zero", command);
-      if (is_bad_address(command.ea, command.size)) {
-        fail(Rule::effective_address, "no program memory can be there", command);
-      }
-      check_if_foreign(command, command.ea, command.size, store);
+      check_address(command, command.ea, command.size);
+      check_memory(command, command.ea, command.size, store);
       return nullptr;
     default:
       fail(Rule::opcode, format("0x%x is not a command", command.opcode), command);
@@ -158,26 +206,9 @@ void check_words(const Command& command, std::uint32_t ls, std::uint64_t ea, std
   }
 }
 
-namespace {
-/// An SPE's local store and registers are checked by the transfer itself.
-bool is_in_window(std::uint64_t ea) {
-  bool found = false;
-  if (SpeDirectory::may_be_window(ea)) {
-    SpeDirectory::instance().with_window(ea, [&](const SpeWindow* window) { found = window != nullptr; });
-  }
-  return found;
-}
-}  // namespace
-
 void check_mapped(const Command& command, std::uint64_t ea, std::uint32_t size) {
   if (size == 0 || is_in_window(ea)) return;
-  const bool write = !is_get(command.opcode) && command.opcode != MFC_GETLLAR_CMD;
-  if (!is_mapped(ea, size, write ? Access::write : Access::read)) {
-    fail(Rule::effective_address,
-         write ? "this process has no memory there that can be written"
-               : "this process has no memory there that can be read",
-         command);
-  }
+  if (!is_mapped(ea, size, access_of(command))) fail_access(command, access_of(command), ea, size);
 }
 
 }  // namespace spu_emu

@@ -1,4 +1,6 @@
 // Faults of running programs: what is reported, the libspe2 way, and what the fault says.
+#include <sys/mman.h>
+
 #include <csignal>
 
 #include "test_context.h"
@@ -21,6 +23,32 @@ TEST(HostFault, a_broken_dma_rule_is_a_runtime_exception_that_names_the_line) {
   expect_text(context.spe, "16-byte alignment");
   expect_text(context.spe, "probe_spu.cpp:");
 }
+
+void* page_with(int protection) {
+  return mmap(nullptr, 4096, protection, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+}
+
+class EveryDmaMode : public testing::TestWithParam<DmaMode> {};
+
+TEST_P(EveryDmaMode, refuses_memory_that_is_not_there_or_not_to_be_written_and_the_process_goes_on) {
+  TestContext context(settings_of(GetParam()));
+  void* const unreadable = page_with(PROT_NONE);
+  void* const unwritable = page_with(PROT_READ);
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(context.run(Probe::sum_into_global, unreadable), -1);
+    EXPECT_EQ(context.stop.result.spe_runtime_exception, SPE_DMA_STORAGE);
+    expect_text(context.spe,
+                "rule \"effective address\": this process has no memory there that can be read [get LS");
+    expect_text(context.spe, "probe_spu.cpp:");
+    EXPECT_EQ(context.run(Probe::put_constant, unwritable), -1);
+    expect_text(context.spe, "this process has no memory there that can be written [put LS");
+    const Words words;
+    EXPECT_EQ(context.exit_code(Probe::sum_into_global, &words), words.sum());
+  }
+  EXPECT_EQ(*static_cast<int*>(unwritable), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(HostFault, EveryDmaMode, testing::Values(DmaMode::eager, DmaMode::late));
 
 TEST(HostFault, without_events_enabled_a_broken_dma_rule_is_sigbus) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");

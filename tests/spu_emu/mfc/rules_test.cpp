@@ -105,12 +105,47 @@ TEST_P(EveryCheckedMode, refuses_addresses_that_no_program_owns) {
   }
 }
 
-TEST(Rules, late_mode_refuses_addresses_that_are_not_mapped) {
-  TestSpu spu(DmaMode::late);
+std::uint64_t unmapped_page() {
   void* page = mmap(nullptr, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   munmap(page, 4096);
-  const auto ea = reinterpret_cast<std::uintptr_t>(page);
+  return reinterpret_cast<std::uintptr_t>(page);
+}
+
+TEST_P(EveryCheckedMode, refuses_addresses_that_are_not_mapped) {
+  TestSpu spu(GetParam());
+  const std::uint64_t ea = unmapped_page();
   expect_fault(Rule::effective_address, [&] { spu.dma(MFC_GET_CMD, 0x1000, ea, 16, 0); });
+  expect_fault(Rule::effective_address, [&] { spu.dma(MFC_PUT_CMD, 0x1000, ea, 16, 0); });
+  expect_fault(Rule::effective_address, [&] { spu.dma(MFC_GETLLAR_CMD, 0x1000, ea, 128, 0); });
+  expect_fault(Rule::effective_address, [&] { spu.dma(MFC_PUTLLUC_CMD, 0x1000, ea, 128, 0); });
+  expect_fault(Rule::effective_address, [&] { spu.dma(MFC_SDCRZ_CMD, 0, ea, 128, 0); });
+  // The first page is there, the second one is not.
+  auto* two = static_cast<std::byte*>(
+      mmap(nullptr, 8192, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+  munmap(two + 4096, 4096);
+  const auto end = reinterpret_cast<std::uintptr_t>(two) + 4096;
+  spu.dma(MFC_PUT_CMD, 0x1000, end - 32, 32, 0);
+  expect_fault(Rule::effective_address, [&] { spu.dma(MFC_PUT_CMD, 0x1000, end - 32, 48, 0); });
+}
+
+std::string sentence_of(TestSpu& spu, std::uint64_t ea) {
+  try {
+    spu.dma(MFC_GET_CMD, 0x1000, ea, 16, 0);
+  } catch (const Fault& fault) {
+    return fault.text();
+  }
+  return "no fault";
+}
+
+TEST_P(EveryCheckedMode, says_where_an_address_of_exchanged_words_or_of_half_its_bits_leads) {
+  TestSpu spu(GetParam());
+  const std::uint64_t exchanged = spu.ea() << 32U | spu.ea() >> 32U;
+  const std::string of_exchanged = sentence_of(spu, exchanged);
+  EXPECT_NE(of_exchanged.find("its two words exchanged"), std::string::npos) << of_exchanged;
+  const std::string of_half = sentence_of(spu, 0x7fff0000U);
+  EXPECT_NE(of_half.find("it has 32 bits"), std::string::npos) << of_half;
+  const std::string of_other = sentence_of(spu, unmapped_page());
+  EXPECT_EQ(of_other.find(';'), std::string::npos) << of_other;
 }
 
 TEST_P(EveryCheckedMode, refuses_signals_of_other_sizes_than_4) {
