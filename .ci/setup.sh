@@ -9,6 +9,7 @@ packages_for_ranks=(libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev libhdf5-op
 packages_to_test=(libmpfr-dev xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy abigail-tools
   "${packages_for_ranks[@]}" "${packages_for_python[@]}" python3-pytest python3-matplotlib mypy doxygen python3-venv python3-setuptools python3-wheel)
 packages_for_clang=(clang libclang-rt-14-dev)
+packages_for_coverage=(llvm-14)
 packages_for_style=(clang-format clang-tidy)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev libnanoflann-dev)
 packages_for_cgal=(libcgal-dev libtbb-dev)

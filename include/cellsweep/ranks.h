@@ -137,9 +137,11 @@ CELLSWEEP_API Result<DistributedBroadphase> make_distributed_broadphase(MPI_Comm
 /// that rank's region, and is handed over when it does not any more: RankChanges::departed and
 /// RankChanges::arrived, by which a simulation can send its own data after it.
 ///
-/// Failures: errors, and want of memory in update(), are agreed on by all ranks. A rank that ends takes the
-/// job with it: MPI's own way. Threads: one at a time; MPI must have been initialised with what the caller
-/// needs of threads, MPI_THREAD_FUNNELED where the engine has threads of its own.
+/// Failures: errors, and want of memory in collective calls, are agreed on by all ranks; no such call throws,
+/// and a rank without memory for the sentence has "No memory left." in its place. std::bad_alloc may leave a
+/// local call, which has changed nothing then and refuses no update. A rank that ends takes the job with it:
+/// MPI's own way. Threads: one at a time; MPI must have been initialised with what the caller needs of
+/// threads, MPI_THREAD_FUNNELED where the engine has threads of its own.
 class CELLSWEEP_API DistributedBroadphase final {
  public:
   DistributedBroadphase(DistributedBroadphase&& other) noexcept;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/heap.h"
+#include "host/heap_guards.h"
 #include "mfc/local_store.h"
 #include "spe/arena.h"
 
@@ -44,6 +45,7 @@ class HostLocalStore final : public LocalStoreView {
 
   Arena& arena() { return arena_; }
   Heap& heap() { return heap_; }
+  HeapGuards heap_guards() { return {heap_, arena_.base()}; }
   bool in_arena(const volatile void* pointer) const {
     return reinterpret_cast<std::uintptr_t>(pointer) - reinterpret_cast<std::uintptr_t>(arena_.base()) <
            size();

@@ -67,6 +67,8 @@ bool HostProgram::run_main(int& code) {
 
 Stop HostProgram::start(const Arguments& arguments) {
   arguments_ = arguments;
+  // Blocks that a run before has left, which may have ended by a fault.
+  store_.heap_guards().mark_all();
   // Before the fiber, which begins with the signals that are let through here.
   const GuardScope scope(guard_, spe_.deadline());
   fiber_.reset();
@@ -106,6 +108,7 @@ void HostProgram::stop_for_good(const Stop& stop) {
 }
 
 void HostProgram::stop_for_exit(unsigned int code) {
+  if (const auto overrun = store_.heap_guards().any_overrun()) throw fault_of(*overrun);
   for (;;) stop_here({Stop::Kind::exit, code, 0, {}});
 }
 
@@ -178,6 +181,13 @@ Fault HostProgram::fault_of(const Interruption& what) const {
   }
 }
 
+Fault HostProgram::fault_of(const HeapOverrun& overrun) const {
+  return Fault(
+      Rule::heap_overrun,
+      format("SPE %u's program wrote to LS 0x%05x, behind the %u bytes that it asked for at LS 0x%05x",
+             spe_.number(), overrun.at, overrun.asked, overrun.block));
+}
+
 /// A stack that is full meets the pages below it, a buffer's end those behind the local store.
 Fault HostProgram::memory_fault(const Interruption& what) const {
   constexpr std::uintptr_t kNear = 1U << 24U;
@@ -244,6 +254,7 @@ std::uint32_t HostProgram::ls_outside_arena(const volatile void* pointer, const 
 
 void* HostProgram::allocate(std::size_t size, std::size_t alignment) {
   if (const auto ls = store_.heap().allocate(size, alignment)) {
+    store_.heap_guards().mark(*ls);
     note_high_water();
     return store_.arena().base() + *ls;
   }
@@ -268,6 +279,8 @@ void* HostProgram::reallocate(void* block, std::size_t size) {
 void HostProgram::release(void* block) {
   if (block == nullptr) return;
   if (!store_.in_arena(block)) return std::free(block);
+  if (const auto overrun = store_.heap_guards().overrun_of(store_.ls_of_arena(block)))
+    throw fault_of(*overrun);
   if (!store_.heap().release(store_.ls_of_arena(block))) {
     throw Fault(Rule::local_store_range,
                 format("free of LS 0x%x, where no block begins", store_.ls_of_arena(block)));

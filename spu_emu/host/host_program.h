@@ -45,7 +45,8 @@ class HostProgram final : public Program {
   }
   void stop_here(const Stop& stop);
   [[noreturn]] void stop_for_good(const Stop& stop);
-  /// The program's exit, which comes again when it is resumed, as that of a real one does.
+  /// The program's exit, which comes again when it is resumed, as that of a real one does. Throws Fault when it wrote
+  /// beyond a block of its heap.
   [[noreturn]] void stop_for_exit(unsigned int code);
   /// Why a program ends before its time. What is to be said of it is put into words off its stack, where
   /// memory may run out once more.
@@ -81,6 +82,7 @@ class HostProgram final : public Program {
   void report_end();
   Fault fault_of(const End& end) const;
   Fault fault_of(const Interruption& what) const;
+  Fault fault_of(const HeapOverrun& overrun) const;
   Fault memory_fault(const Interruption& what) const;
   std::string place_of(std::uintptr_t instruction) const;
   std::uint32_t ls_outside_arena(const volatile void* pointer, const Command& command);

@@ -70,6 +70,8 @@ const char* rule_name(Rule rule) {
       return "memory access";
     case Rule::stack_overflow:
       return "stack";
+    case Rule::heap_overrun:
+      return "heap overrun";
     case Rule::arithmetic:
       return "arithmetic";
     case Rule::abort:
@@ -103,6 +105,7 @@ StopReport stop_report(Rule rule) {
     case Rule::time_limit:
       return {SPE_RUNTIME_FATAL, ETIMEDOUT};
     case Rule::memory_access:
+    case Rule::heap_overrun:
       return {SPE_RUNTIME_FATAL, EFAULT};
     case Rule::arithmetic:
       return {SPE_RUNTIME_FATAL, EDOM};

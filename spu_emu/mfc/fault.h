@@ -42,6 +42,7 @@ enum class Rule {
   // Of programs as such, whatever the MFC does.
   memory_access,
   stack_overflow,
+  heap_overrun,
   arithmetic,
   abort,
   exception,

@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <utility>
 
 #include "app/checks.h"
@@ -25,37 +24,24 @@ struct Record {
     const report::InterruptScope interrupts;
     const auto written = from.empty() ? write_scene() : write_file();
     if (!written) return complain(written.status());
-    print_text(text(out, ": ", written->ids(), " bodies, ", written->frames(), " frames\n"));
+    print_text(text(out, ": ", written->ids, " bodies, ", written->frames, " frames\n"));
     return end_with(kGood, "The file holds the frames until then.");
   }
 
  private:
-  Result<FrameFile> write_scene() const {
+  Result<FramesWritten> write_scene() const {
     const auto bounds = scene_bounds(scene.settings);
     if (!bounds) return bounds.status();
     auto source = make_scene_frames(scene.settings);
     if (!source) return source.status();
     WatchedFrames watched(**source, "record, frame", updates);
-    return write(watched, updates, *bounds);
+    return write_frame_file(watched, updates, *bounds, out);
   }
 
-  Result<FrameFile> write_file() const {
+  Result<FramesWritten> write_file() const {
     const auto file = read_frame_file(from);
     if (!file) return file.status();
-    return write(*file->make_source(), file->frames(), file->world());
-  }
-
-  Result<FrameFile> write(FrameSource& source, std::size_t frames, const Aabb& world) const {
-    if (std::filesystem::path(out).extension() == ".npz") {
-      Trace trace = record_trace(source, frames);
-      if (const Status status = source.status(); !status.ok()) return status;
-      if (const Status status = write_trace(trace, out); !status.ok()) return status;
-      return FrameFile(std::move(trace));
-    }
-    Result<Recording> recording = record(source, frames, world);
-    if (!recording) return recording.status();
-    if (const Status status = write_recording(*recording, out); !status.ok()) return status;
-    return FrameFile(std::move(*recording));
+    return write_frame_file(*file->make_source(), file->frames(), file->world(), out);
   }
 };
 

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <new>
 #include <system_error>
 
 #include "base/text.h"
@@ -140,6 +141,7 @@ Status NewFile::open(const std::string& path) {
   path_ = path;
   if (path.empty()) return refuse("\"\"", ENOENT);
   const std::unique_ptr<char, void (*)(void*)> real(::realpath(path.c_str(), nullptr), std::free);
+  if (!real && errno == ENOMEM) throw std::bad_alloc();
   target_ = real ? real.get() : path;
   const std::size_t slash = target_.rfind('/');
   folder_ = slash == std::string::npos ? "." : target_.substr(0, slash + 1);

@@ -33,11 +33,14 @@ class Call {
   World world_;
 };
 
+// Questions are checked as the library computes, too: a caller's thread may take a denormal number for 0.
+
 /// `answer(asked)` after a check.
-template <class Answer>
-Status answer_one(const Broadphase& broadphase, Status checked, const QueryFilter& filter,
+template <class Question, class Answer>
+Status answer_one(const Broadphase& broadphase, const Question& question, const QueryFilter& filter,
                   const Answer& answer) {
-  if (!checked.ok()) return checked;
+  const DefaultFloats floats;
+  if (Status status = queries::check(question); !status.ok()) return status;
   const Call call(broadphase);
   answer(Asked{call.world(), filter});
   return {};
@@ -47,6 +50,7 @@ Status answer_one(const Broadphase& broadphase, Status checked, const QueryFilte
 template <class Question, class Answer, class List>
 Status answer_lists(const Broadphase& broadphase, std::span<const Question> questions,
                     const QueryFilter& filter, BatchAnswers<Answer>& found, const List& list) {
+  const DefaultFloats floats;
   if (Status status = queries::check_all(questions); !status.ok()) return status;
   const Call call(broadphase);
   const Asked asked{call.world(), filter};
@@ -61,6 +65,7 @@ template <class Question, class Answer, class Find>
 Status answer_each(const Broadphase& broadphase, std::span<const Question> questions,
                    const QueryFilter& filter, std::span<Answer> found, const Find& find) {
   if (Status status = queries::check_room(questions.size(), found.size()); !status.ok()) return status;
+  const DefaultFloats floats;
   if (Status status = queries::check_all(questions); !status.ok()) return status;
   const Call call(broadphase);
   const Asked asked{call.world(), filter};
@@ -80,7 +85,7 @@ void Queries::prepare() const {
 
 Status Queries::find_overlaps(const Region& region, std::vector<BodyId>& found,
                               const QueryFilter& filter) const {
-  return answer_one(*broadphase_, queries::check(region), filter, [&](const Asked& asked) {
+  return answer_one(*broadphase_, region, filter, [&](const Asked& asked) {
     found.clear();
     queries::list_overlaps(asked, region, found);
   });
@@ -88,13 +93,13 @@ Status Queries::find_overlaps(const Region& region, std::vector<BodyId>& found,
 
 Status Queries::visit_overlaps(const Region& region, FunctionRef<bool(BodyId)> visit,
                                const QueryFilter& filter) const {
-  return answer_one(*broadphase_, queries::check(region), filter,
+  return answer_one(*broadphase_, region, filter,
                     [&](const Asked& asked) { queries::visit_overlaps(asked, region, visit); });
 }
 
 Result<bool> Queries::any_overlap(const Region& region, const QueryFilter& filter) const {
   bool any = false;
-  Status status = answer_one(*broadphase_, queries::check(region), filter,
+  Status status = answer_one(*broadphase_, region, filter,
                              [&](const Asked& asked) { any = queries::any_overlap(asked, region); });
   if (!status.ok()) return status;
   return any;
@@ -111,7 +116,7 @@ Status Queries::any_overlaps(std::span<const Region> regions, std::span<bool> an
 }
 
 Status Queries::find_touches(const Path& path, std::vector<Touch>& found, const QueryFilter& filter) const {
-  return answer_one(*broadphase_, queries::check(path), filter, [&](const Asked& asked) {
+  return answer_one(*broadphase_, path, filter, [&](const Asked& asked) {
     found.clear();
     queries::list_touches(asked, path, found);
   });
@@ -119,13 +124,13 @@ Status Queries::find_touches(const Path& path, std::vector<Touch>& found, const 
 
 Status Queries::visit_touches(const Path& path, FunctionRef<double(const Touch&, double)> visit,
                               const QueryFilter& filter) const {
-  return answer_one(*broadphase_, queries::check(path), filter,
+  return answer_one(*broadphase_, path, filter,
                     [&](const Asked& asked) { queries::visit_touches(asked, path, visit); });
 }
 
 Result<std::optional<Touch>> Queries::first_touch(const Path& path, const QueryFilter& filter) const {
   std::optional<Touch> first;
-  Status status = answer_one(*broadphase_, queries::check(path), filter,
+  Status status = answer_one(*broadphase_, path, filter,
                              [&](const Asked& asked) { first = queries::first_touch(asked, path); });
   if (!status.ok()) return status;
   return first;
@@ -133,7 +138,7 @@ Result<std::optional<Touch>> Queries::first_touch(const Path& path, const QueryF
 
 Result<bool> Queries::any_touch(const Path& path, const QueryFilter& filter) const {
   bool any = false;
-  Status status = answer_one(*broadphase_, queries::check(path), filter,
+  Status status = answer_one(*broadphase_, path, filter,
                              [&](const Asked& asked) { any = queries::any_touch(asked, path); });
   if (!status.ok()) return status;
   return any;
@@ -156,14 +161,15 @@ Status Queries::any_touches(std::span<const Path> paths, std::span<bool> any,
 
 Status Queries::find_nearest(const Aabb& box, std::size_t count, std::vector<Neighbor>& found, double most,
                              const QueryFilter& filter) const {
-  Status checked = queries::check(box);
-  if (checked.ok()) checked = queries::check_most(most);
-  return answer_one(*broadphase_, std::move(checked), filter,
+  const DefaultFloats floats;
+  if (Status status = queries::check_most(most); !status.ok()) return status;
+  return answer_one(*broadphase_, box, filter,
                     [&](const Asked& asked) { queries::list_nearest(asked, box, count, most, found); });
 }
 
 Status Queries::find_nearest(std::span<const Aabb> boxes, std::size_t count, BatchAnswers<Neighbor>& found,
                              double most, const QueryFilter& filter) const {
+  const DefaultFloats floats;
   if (Status status = queries::check_most(most); !status.ok()) return status;
   return answer_lists(*broadphase_, boxes, filter, found,
                       [&](const Asked& asked, const Aabb& box, std::vector<Neighbor>& answers) {
@@ -175,7 +181,7 @@ Status Queries::find_nearest(std::span<const Aabb> boxes, std::size_t count, Bat
 
 Status Queries::find_within(const Region& region, std::vector<Neighbor>& found,
                             const QueryFilter& filter) const {
-  return answer_one(*broadphase_, queries::check(region), filter, [&](const Asked& asked) {
+  return answer_one(*broadphase_, region, filter, [&](const Asked& asked) {
     found.clear();
     queries::list_within(asked, region, found);
   });

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <new>
 #include <string>
 #include <utility>
 
@@ -73,14 +72,15 @@ void Cutter::Destroy::operator()(Zoltan_Struct* zoltan) const {
   Zoltan_Destroy(&zoltan);
 }
 
-Cutter::Cutter(MPI_Comm communicator) {
+Status Cutter::begin(MPI_Comm communicator) {
   MPI_Comm_size(communicator, &ranks_);
-  if (ranks_ == 1) return;
+  if (ranks_ == 1) return {};
   float version = 0;
   Zoltan_Initialize(0, nullptr, &version);
   zoltan_.reset(Zoltan_Create(communicator));
-  if (!zoltan_) throw std::bad_alloc();
+  if (!zoltan_) return refuse("begin");
   for (const auto& [name, value] : kSettings) Zoltan_Set_Param(zoltan_.get(), name, value);
+  return {};
 }
 
 Result<std::vector<Region>> Cutter::cut(std::span<const Point> points) {

@@ -18,8 +18,9 @@ namespace cellsweep::ranks {
 
 class Cutter {
  public:
-  /// Collective, as is the destructor.
-  explicit Cutter(MPI_Comm communicator);
+  /// Collective, as is the destructor. Once, before all other calls. Errors, which only this rank may have:
+  /// capacity, for want of memory.
+  Status begin(MPI_Comm communicator);
 
   /// Collective: a region for each rank, with about as many of all ranks' points in each. Errors, which only
   /// this rank may have: capacity, for want of memory. May throw std::bad_alloc once all is done.

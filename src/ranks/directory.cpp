@@ -1,6 +1,7 @@
 #include "ranks/directory.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -107,17 +108,15 @@ void Directory::set_owner(GlobalId id, std::uint32_t owner) {
 }
 
 Status Directory::exchange(std::vector<Message>& out, std::vector<Message>& in) {
-  std::vector<Message> self;
-  for (Message& message : out) {
-    if (message.rank == job_.rank()) self.push_back(std::move(message));
-  }
-  std::erase_if(out, [&](const Message& message) { return message.rank == job_.rank(); });
+  const auto is_of_others = [&](const Message& message) { return message.rank != job_.rank(); };
+  const auto self = std::partition(out.begin(), out.end(), is_of_others);
+  const std::span<Message> others(out.begin(), self);
   ++rounds_;
-  messages_ += out.size();
-  for (const Message& message : out) bytes_ += message.words.size() * sizeof(std::uint64_t);
-  Status status = job_.exchange(out, in);
+  messages_ += others.size();
+  for (const Message& message : others) bytes_ += message.words.size() * sizeof(std::uint64_t);
+  const Status status = job_.exchange(others, in);
   return job_.agree([&] {
-    for (Message& message : self) in.push_back(std::move(message));
+    in.insert(in.end(), std::make_move_iterator(self), std::make_move_iterator(out.end()));
     return status;
   });
 }
@@ -277,7 +276,8 @@ Status Directory::refuse(HeldBodies& held, StagedCalls& calls,
     }
     return {};
   });
-  return status.ok() ? job_.agree(refusal) : status;
+  if (!status.ok()) return status;
+  return job_.agree(refusal);
 }
 
 Status Directory::resolve(HeldBodies& held, StagedCalls& calls) {

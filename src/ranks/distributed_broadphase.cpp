@@ -28,13 +28,16 @@ class [[gnu::visibility("hidden")]] DistributedBroadphase::Impl {
     return {job_, cuts_, world_.held, engine_};
   }
 
-  Impl(MPI_Comm communicator, const RankOptions& options, Broadphase engine)
-      : job_(communicator),
-        options_(options),
-        engine_(std::move(engine)),
-        cuts_(job_.ranks()),
-        next_cuts_(cuts_),
-        cutter_(job_.communicator()) {}
+  /// For a job of so many ranks, which join() hands over.
+  Impl(int ranks, const RankOptions& options, Broadphase engine)
+      : options_(options), engine_(std::move(engine)), cuts_(ranks), next_cuts_(cuts_) {
+    statistics_.phases.reserve(ranks::PhaseClock::kMostPhases);
+  }
+  /// Collective.
+  Status join(ranks::Job job) {
+    job_ = std::move(job);
+    return job_.agree([&] { return cutter_.begin(job_.communicator()); });
+  }
 
   const ranks::Job& job() const {
     return job_;
@@ -59,7 +62,9 @@ class [[gnu::visibility("hidden")]] DistributedBroadphase::Impl {
   template <class Call>
   Status local(const Call& call) {
     Status status = call(calls_);
-    if (!status.ok() && refusal_.ok()) refusal_ = status;
+    if (status.ok() || !refusal_.ok()) return status;
+    Status copy = status;
+    refusal_ = std::move(copy);
     return status;
   }
   const ranks::Region& own_region() const {
@@ -161,8 +166,8 @@ Status DistributedBroadphase::Impl::cut_anew() {
   Status status = job_.agree(listed, points.size(), false, all);
   if (!status.ok() || all.sum == 0) return status;
   std::optional<ranks::Cuts> cuts;
-  auto regions = cutter_.cut(points);
   status = job_.agree([&]() -> Status {
+    auto regions = cutter_.cut(points);
     if (!regions) return regions.status();
     cuts.emplace(std::move(*regions));
     std::vector<Aabb> boxes(unlinked.size());
@@ -187,7 +192,7 @@ Status DistributedBroadphase::Impl::cut_anew() {
 
 // Nothing has changed where it fails.
 Status DistributedBroadphase::Impl::tell(ranks::Round& round, ranks::PhaseClock& clock) {
-  Status came = round.exchange();
+  const Status came = round.exchange();
   clock.lap_wait("exchange");
   Status status = job_.agree([&]() -> Status {
     if (!came.ok()) return came;
@@ -256,8 +261,8 @@ void DistributedBroadphase::Impl::commit_link(Local local) {
 // Nothing of it needs memory.
 void DistributedBroadphase::Impl::commit() {
   EngineAccess::commit_update(engine_);
-  cuts_ = std::move(next_cuts_);
-  next_cuts_ = cuts_;
+  std::swap(cuts_, next_cuts_);
+  next_cuts_ = cuts_;  // as many ranks: into the memory that is there
   for (const Local local : world_.held.touched()) commit_link(local);
   world_.held.clear_touched();
   world_.held.commit_flags();
@@ -505,21 +510,21 @@ std::uint64_t global_pair_set_hash(std::span<const GlobalPair> pairs) {
 }
 
 Result<DistributedBroadphase> make_distributed_broadphase(MPI_Comm communicator, const RankOptions& options) {
-  const ranks::Job job(communicator);
-  std::optional<Broadphase> engine;
+  ranks::Job job(communicator);
+  std::unique_ptr<DistributedBroadphase::Impl> made;
   Status status = job.agree([&]() -> Status {
     if (!(options.recut_above >= 1)) {
       return Status::bad_option("recut_above", text("recut_above is ", options.recut_above,
                                                     "; it is 1, which is perfect, or more."));
     }
-    auto made = options.make_engine ? options.make_engine() : make_broadphase(StreamOptions{.threads = 1});
-    if (!made) return made.status();
-    engine.emplace(std::move(*made));
+    auto engine = options.make_engine ? options.make_engine() : make_broadphase(StreamOptions{.threads = 1});
+    if (!engine) return engine.status();
+    made = std::make_unique<DistributedBroadphase::Impl>(job.ranks(), options, std::move(*engine));
     return {};
   });
+  if (status.ok()) status = made->join(std::move(job));
   if (!status.ok()) return status;
-  return DistributedBroadphase(
-      std::make_unique<DistributedBroadphase::Impl>(communicator, options, std::move(*engine)));
+  return DistributedBroadphase(std::move(made));
 }
 
 }  // namespace cellsweep

@@ -5,6 +5,7 @@
 #include <limits>
 #include <new>
 #include <string>
+#include <utility>
 
 #include "base/text.h"
 
@@ -27,6 +28,19 @@ struct StatusOnItsWay {
   }
 };
 
+/// A string holds so few letters in itself.
+constexpr const char* kNoMemory = "No memory left.";
+
+// Words that may be more than there is memory for.
+void say(Status& status, FunctionRef<void(Status&)> words) {
+  try {
+    words(status);
+  } catch (const std::bad_alloc&) {
+    status.setting.clear();
+    status.message = kNoMemory;
+  }
+}
+
 // Of four numbers the largest of the first three, and the sum of the last.
 void put_together(void* given, void* into, int* count, MPI_Datatype*) {
   const auto* from = static_cast<const std::uint64_t*>(given);
@@ -39,8 +53,11 @@ void put_together(void* given, void* into, int* count, MPI_Datatype*) {
 
 }  // namespace
 
-Status no_memory_status() {
-  return Status::over_capacity("There is no memory left for it.", 0, 0);
+Status no_memory_status() noexcept {
+  Status status;
+  status.code = StatusCode::capacity;
+  say(status, [](Status& said) { said.message = "There is no memory left for it."; });
+  return status;
 }
 
 Job::Job(MPI_Comm communicator) {
@@ -52,13 +69,28 @@ Job::Job(MPI_Comm communicator) {
   MPI_Comm_size(communicator_, &ranks_);
 }
 
+Job::Job(Job&& other) noexcept {
+  *this = std::move(other);
+}
+
+Job& Job::operator=(Job&& other) noexcept {
+  std::swap(communicator_, other.communicator_);
+  std::swap(rank_, other.rank_);
+  std::swap(ranks_, other.ranks_);
+  std::swap(round_, other.round_);
+  std::swap(numbers_, other.numbers_);
+  std::swap(most_and_sum_, other.most_and_sum_);
+  return *this;
+}
+
 Job::~Job() {
+  if (communicator_ == MPI_COMM_NULL) return;
   MPI_Op_free(&most_and_sum_);
   MPI_Type_free(&numbers_);
   MPI_Comm_free(&communicator_);
 }
 
-Status Job::attempt(const std::function<Status()>& work) {
+Status Job::attempt(FunctionRef<Status()> work) noexcept {
   try {
     return work();
   } catch (const std::bad_alloc&) {
@@ -67,13 +99,13 @@ Status Job::attempt(const std::function<Status()>& work) {
 }
 
 // The first rank at fault has the largest number.
-Status Job::agree(const Status& status) const {
+Status Job::agree(const Status& status) const noexcept {
   int distance = status.ok() ? 0 : ranks_ - rank_;
   MPI_Allreduce(MPI_IN_PLACE, &distance, 1, MPI_INT, MPI_MAX, communicator_);
   return distance == 0 ? Status() : hear(status, ranks_ - distance);
 }
 
-Status Job::agree(const Status& status, std::uint64_t mine, bool flag, Together& together) const {
+Status Job::agree(const Status& status, std::uint64_t mine, bool flag, Together& together) const noexcept {
   std::array<std::uint64_t, 4> numbers{status.ok() ? 0 : static_cast<std::uint64_t>(ranks_ - rank_), mine,
                                        flag ? 1U : 0U, mine};
   MPI_Allreduce(MPI_IN_PLACE, numbers.data(), 1, numbers_, most_and_sum_, communicator_);
@@ -82,7 +114,7 @@ Status Job::agree(const Status& status, std::uint64_t mine, bool flag, Together&
 }
 
 Status Job::gather_bytes(const void* mine, std::size_t rows, std::size_t row_bytes, int root,
-                         const std::function<void*(std::size_t)>& make_room) const {
+                         FunctionRef<void*(std::size_t)> make_room) const noexcept {
   std::vector<int> counts;
   std::vector<int> places;
   void* all = nullptr;
@@ -116,7 +148,7 @@ Status Job::gather_bytes(const void* mine, std::size_t rows, std::size_t row_byt
 }
 
 // Takes no memory until all have heard it.
-Status Job::hear(const Status& status, int from) const {
+Status Job::hear(const Status& status, int from) const noexcept {
   StatusOnItsWay way;
   if (rank_ == from) way = StatusOnItsWay(status);
   MPI_Bcast(&way, sizeof way, MPI_BYTE, from, communicator_);
@@ -124,23 +156,46 @@ Status Job::hear(const Status& status, int from) const {
   heard.code = static_cast<StatusCode>(way.code);
   heard.number = way.number;
   heard.limit = way.limit;
-  heard.setting = way.setting.data();
-  heard.message = text("Rank ", from, ": ", std::string_view(way.message.data()));
+  say(heard, [&](Status& said) {
+    said.setting = way.setting.data();
+    said.message = text("Rank ", from, ": ", std::string_view(way.message.data()));
+  });
   return heard;
 }
+
+namespace {
+
+// A receipt of none of its words: they are lost.
+void drop(MPI_Message& message, MPI_Comm communicator) {
+  MPI_Errhandler handler = MPI_ERRHANDLER_NULL;
+  MPI_Comm_get_errhandler(communicator, &handler);
+  MPI_Comm_set_errhandler(communicator, MPI_ERRORS_RETURN);
+  MPI_Mrecv(nullptr, 0, MPI_UINT64_T, &message, MPI_STATUS_IGNORE);
+  MPI_Comm_set_errhandler(communicator, handler);
+  MPI_Errhandler_free(&handler);
+}
+
+bool all_are_sent(std::span<Message> out) {
+  return std::ranges::all_of(out, [](Message& message) {
+    int done = 0;
+    MPI_Test(&message.sending, &done, MPI_STATUS_IGNORE);
+    return done != 0;
+  });
+}
+
+}  // namespace
 
 // Nonblocking consensus (Hoefler, Siebert, Lumsdaine 2010): who has sent all, which he knows because each
 // message is acknowledged by its receipt, comes to a barrier; when all have come there, nothing is on its
 // way.
-Status Job::exchange(const std::vector<Message>& out, std::vector<Message>& in) const {
+Status Job::exchange(std::span<Message> out, std::vector<Message>& in) const noexcept {
   in.clear();
   if (ranks_ == 1) return {};
   Status status;
   const int tag = round_ = (round_ + 1) % 1024;
-  std::vector<MPI_Request> sent(out.size());
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    MPI_Issend(out[i].words.data(), static_cast<int>(out[i].words.size()), MPI_UINT64_T, out[i].rank, tag,
-               communicator_, &sent[i]);
+  for (Message& one : out) {
+    MPI_Issend(one.words.data(), static_cast<int>(one.words.size()), MPI_UINT64_T, one.rank, tag,
+               communicator_, &one.sending);
   }
   MPI_Request barrier = MPI_REQUEST_NULL;
   bool at_barrier = false;
@@ -156,24 +211,14 @@ Status Job::exchange(const std::vector<Message>& out, std::vector<Message>& in) 
         in.push_back({envelope.MPI_SOURCE, std::vector<std::uint64_t>(static_cast<std::size_t>(words))});
         MPI_Mrecv(in.back().words.data(), words, MPI_UINT64_T, &message, MPI_STATUS_IGNORE);
       } catch (const std::bad_alloc&) {
-        // A receipt all the same: of none of its words.
         status = no_memory_status();
-        MPI_Errhandler handler = MPI_ERRHANDLER_NULL;
-        MPI_Comm_get_errhandler(communicator_, &handler);
-        MPI_Comm_set_errhandler(communicator_, MPI_ERRORS_RETURN);
-        MPI_Mrecv(nullptr, 0, MPI_UINT64_T, &message, MPI_STATUS_IGNORE);
-        MPI_Comm_set_errhandler(communicator_, handler);
-        MPI_Errhandler_free(&handler);
+        drop(message, communicator_);
       }
     } else if (at_barrier) {
       MPI_Test(&barrier, &done, MPI_STATUS_IGNORE);
-    } else {
-      int all = 0;
-      MPI_Testall(static_cast<int>(sent.size()), sent.data(), &all, MPI_STATUSES_IGNORE);
-      if (all != 0) {
-        MPI_Ibarrier(communicator_, &barrier);
-        at_barrier = true;
-      }
+    } else if (all_are_sent(out)) {
+      MPI_Ibarrier(communicator_, &barrier);
+      at_barrier = true;
     }
   }
   std::ranges::sort(in, {}, &Message::rank);

@@ -5,10 +5,10 @@
 #include <mpi.h>
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "cellsweep/function_ref.h"
 #include "cellsweep/status.h"
 
 namespace cellsweep::ranks {
@@ -17,6 +17,7 @@ namespace cellsweep::ranks {
 struct Message {
   int rank = 0;
   std::vector<std::uint64_t> words{};
+  MPI_Request sending = MPI_REQUEST_NULL;
 };
 
 /// Numbers of all ranks together.
@@ -26,12 +27,15 @@ struct Together {
   bool any = false;
 };
 
-/// A communicator of its own. All calls are collective.
+/// A communicator of its own. All calls are collective. None throws: a rank that had no memory and left would
+/// have the others wait for it.
 class Job {
  public:
+  /// None yet; it becomes one by assignment.
+  Job() = default;
   explicit Job(MPI_Comm communicator);
-  Job(const Job&) = delete;
-  Job& operator=(const Job&) = delete;
+  Job(Job&& other) noexcept;
+  Job& operator=(Job&& other) noexcept;
   ~Job();
 
   MPI_Comm communicator() const { return communicator_; }
@@ -39,29 +43,29 @@ class Job {
   int ranks() const { return ranks_; }
 
   /// What `work` says; std::bad_alloc that leaves it is a status, too. Not collective.
-  static Status attempt(const std::function<Status()>& work);
+  static Status attempt(FunctionRef<Status()> work) noexcept;
 
   /// Ok where all ranks are; else what the first rank says that is not, its number in front.
-  Status agree(const Status& status) const;
+  Status agree(const Status& status) const noexcept;
   /// The same of attempt(work).
-  Status agree(const std::function<Status()>& work) const { return agree(attempt(work)); }
+  Status agree(FunctionRef<Status()> work) const noexcept { return agree(attempt(work)); }
   /// The same, and numbers and flags of all ranks put together.
-  Status agree(const Status& status, std::uint64_t mine, bool flag, Together& together) const;
+  Status agree(const Status& status, std::uint64_t mine, bool flag, Together& together) const noexcept;
 
   /// What every rank has, in the order of ranks, on rank `root`; nothing on the others. Errors, the same on
   /// all ranks: capacity.
   template <class Row>
-  Result<std::vector<Row>> gather(std::span<const Row> mine, int root) const;
+  Result<std::vector<Row>> gather(std::span<const Row> mine, int root) const noexcept;
 
   /// Sends messages to other ranks and gets those that they sent, by rank; nobody knows before from whom.
   /// Each rank has one message for another at most. The cost follows the neighbours, not the ranks. Errors,
   /// which only this rank may have: capacity, where there is no memory for what came; it is lost then.
-  Status exchange(const std::vector<Message>& out, std::vector<Message>& in) const;
+  Status exchange(std::span<Message> out, std::vector<Message>& in) const noexcept;
 
  private:
   Status gather_bytes(const void* mine, std::size_t rows, std::size_t row_bytes, int root,
-                      const std::function<void*(std::size_t)>& make_room) const;
-  Status hear(const Status& status, int from) const;
+                      FunctionRef<void*(std::size_t)> make_room) const noexcept;
+  Status hear(const Status& status, int from) const noexcept;
 
   MPI_Comm communicator_ = MPI_COMM_NULL;
   int rank_ = 0;
@@ -71,13 +75,13 @@ class Job {
   MPI_Op most_and_sum_ = MPI_OP_NULL;
 };
 
-/// What a call says that had no memory.
-Status no_memory_status();
+/// What a call says that had no memory: in few words where there is none for more.
+Status no_memory_status() noexcept;
 
 template <class Row>
-Result<std::vector<Row>> Job::gather(std::span<const Row> mine, int root) const {
+Result<std::vector<Row>> Job::gather(std::span<const Row> mine, int root) const noexcept {
   std::vector<Row> all;
-  const Status status = gather_bytes(mine.data(), mine.size(), sizeof(Row), root, [&](std::size_t rows) {
+  Status status = gather_bytes(mine.data(), mine.size(), sizeof(Row), root, [&](std::size_t rows) {
     all.resize(rows);
     return static_cast<void*>(all.data());
   });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <ctime>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,9 @@ namespace cellsweep::ranks {
 /// A stopwatch that is read at the end of each step.
 class PhaseClock {
  public:
+  /// What the list has room for: reading the clock takes no memory.
+  static constexpr std::size_t kMostPhases = 16;
+
   explicit PhaseClock(std::vector<RankPhase>& phases) : phases_(phases) { phases_.clear(); }
 
   void lap(std::string_view name, bool is_wait = false) {

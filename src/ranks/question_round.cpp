@@ -14,7 +14,7 @@ Message message_of(int rank, std::span<const Row> rows) {
 
 }  // namespace
 
-Status ask_ranks(const Job& job, std::span<const std::vector<QuestionRow>> to, const Answerer& answerer,
+Status ask_ranks(const Job& job, std::span<const std::vector<QuestionRow>> to, Answerer answerer,
                  std::vector<AnswerRow>& answers) {
   std::vector<Message> asked;
   std::vector<Message> got;
@@ -26,7 +26,7 @@ Status ask_ranks(const Job& job, std::span<const std::vector<QuestionRow>> to, c
     return {};
   });
   if (!status.ok()) return status;
-  Status questions_came = job.exchange(asked, got);
+  const Status questions_came = job.exchange(asked, got);
   std::vector<Message> answered;
   status = job.agree([&]() -> Status {
     if (!questions_came.ok()) return questions_came;
@@ -39,7 +39,7 @@ Status ask_ranks(const Job& job, std::span<const std::vector<QuestionRow>> to, c
     return answerer(to[static_cast<std::size_t>(job.rank())], answers);
   });
   if (!status.ok()) return status;
-  Status answers_came = job.exchange(answered, got);
+  const Status answers_came = job.exchange(answered, got);
   return job.agree([&]() -> Status {
     if (!answers_came.ok()) return answers_came;
     for (const Message& message : got) {

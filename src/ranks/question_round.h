@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "cellsweep/function_ref.h"
 #include "cellsweep/ranks.h"
 #include "ranks/job.h"
 #include "ranks/messages.h"
@@ -35,11 +35,11 @@ struct AnswerRow {
 using Questions = std::span<const QuestionRow>;
 
 /// Answers questions of one rank from what this rank has; may throw std::bad_alloc.
-using Answerer = std::function<Status(Questions questions, std::vector<AnswerRow>& answers)>;
+using Answerer = FunctionRef<Status(Questions questions, std::vector<AnswerRow>& answers)>;
 
 /// Collective. `to` has the questions for each rank, this one among them. All answers are put into `answers`,
 /// in no order. Errors, the same on all ranks: what an answerer says, capacity.
-Status ask_ranks(const Job& job, std::span<const std::vector<QuestionRow>> to, const Answerer& answerer,
+Status ask_ranks(const Job& job, std::span<const std::vector<QuestionRow>> to, Answerer answerer,
                  std::vector<AnswerRow>& answers);
 
 }  // namespace cellsweep::ranks

@@ -206,12 +206,6 @@ Status RankQueries::answer_nearest(Questions questions, std::vector<AnswerRow>& 
   return {};
 }
 
-Answerer RankQueries::answers_of(Method method) const {
-  return [this, method](Questions questions, std::vector<AnswerRow>& rows) {
-    return (this->*method)(questions, rows);
-  };
-}
-
 Status RankQueries::find_overlaps(std::span<const cellsweep::Region> regions, BatchAnswers<GlobalId>& found,
                                   const Filter& as) const {
   BatchAnswers<BodyId> none;
@@ -300,7 +294,8 @@ Status RankQueries::find_nearest(std::span<const Aabb> boxes, std::size_t count,
                   for (const Aabb& box : boxes) regions.emplace_back(box, most);
                   for (const AnswerRow& bound : bounds) regions[bound.number].distance = bound.value;
                 }});
-  return status.ok() ? find_nearest_within({}, regions, count, found, as) : status;
+  if (!status.ok()) return status;
+  return find_nearest_within({}, regions, count, found, as);
 }
 
 }  // namespace cellsweep::ranks

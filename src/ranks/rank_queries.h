@@ -2,12 +2,12 @@
 /// Questions about the bodies of all ranks: asked of those whose regions are concerned, put together here.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "cellsweep/broadphase.h"
+#include "cellsweep/function_ref.h"
 #include "cellsweep/ranks.h"
 #include "ranks/cuts.h"
 #include "ranks/held_bodies.h"
@@ -46,16 +46,20 @@ class RankQueries {
 
   /// The questions of this rank, how ranks answer them, and what becomes of the answers, which are sorted.
   struct Asking {
-    std::function<QuestionsByRank()> questions;
+    FunctionRef<QuestionsByRank()> questions;
     Answerer answerer;
-    std::function<void(const std::vector<AnswerRow>&)> take;
+    FunctionRef<void(const std::vector<AnswerRow>&)> take;
   };
   Status ask(const Status& allowed, const Asking& asking) const;
   Status find_nearest_within(const Status& allowed, std::span<const cellsweep::Region> regions,
                              std::size_t count, BatchAnswers<GlobalNeighbor>& found, const Filter& as) const;
 
   using Method = Status (RankQueries::*)(Questions, std::vector<AnswerRow>&) const;
-  Answerer answers_of(Method method) const;
+  auto answers_of(Method method) const {
+    return [this, method](Questions questions, std::vector<AnswerRow>& rows) {
+      return (this->*method)(questions, rows);
+    };
+  }
   template <class Answer>
   void append(std::uint64_t number, std::span<const Answer> found, std::vector<AnswerRow>& answers) const;
   Status answer_overlaps(Questions questions, std::vector<AnswerRow>& answers) const;

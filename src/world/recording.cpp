@@ -44,7 +44,7 @@ void append_frame(Recording& recording, std::span<const Aabb> boxes) {
 
 }  // namespace
 
-Result<Recording> record(FrameSource& source, std::size_t updates, const Aabb& world) {
+Status check_fits_recording(const FrameSource& source) {
   if (source.bodies_come_and_go()) {
     return bad_recording("the bodies of " + source.name() +
                          " come and go, and a recording has the same bodies in all frames; "
@@ -53,6 +53,11 @@ Result<Recording> record(FrameSource& source, std::size_t updates, const Aabb& w
   if (!source.filters().empty()) {
     return bad_recording("a recording has no filters; a .npz file has room for those of " + source.name());
   }
+  return {};
+}
+
+Result<Recording> record(FrameSource& source, std::size_t updates, const Aabb& world) {
+  if (Status status = check_fits_recording(source); !status.ok()) return status;
   Recording recording;
   recording.name = source.name();
   recording.world = world;
@@ -80,16 +85,22 @@ Status check_recording(const Recording& recording) {
   if (recording.boxes.size() % recording.bodies != 0) {
     return bad_recording("the recording's last frame is not whole: " + counts);
   }
-  for (std::size_t i = 0; i < recording.boxes.size(); ++i) {
-    const auto fault = find_fault(corners_of(recording.boxes[i]));
-    if (!fault) continue;
-    Status status = bad_recording("frame " + std::to_string(i / recording.bodies) + ", body " +
-                                  std::to_string(i % recording.bodies) + ": expected " + fault->expected +
-                                  ", found " + fault->found);
-    status.body = static_cast<BodyId>(i % recording.bodies);
-    return status;
+  for (std::size_t frame = 0; frame < recording.frames(); ++frame) {
+    if (auto fault = find_faulty_box(recording.frame(frame), frame)) return std::move(*fault);
   }
   return {};
+}
+
+std::optional<Status> find_faulty_box(std::span<const Aabb> boxes, std::size_t frame) {
+  for (std::size_t body = 0; body < boxes.size(); ++body) {
+    const auto fault = find_fault(corners_of(boxes[body]));
+    if (!fault) continue;
+    Status status = bad_recording("frame " + std::to_string(frame) + ", body " + std::to_string(body) +
+                                  ": expected " + fault->expected + ", found " + fault->found);
+    status.body = static_cast<BodyId>(body);
+    return status;
+  }
+  return std::nullopt;
 }
 
 }  // namespace cellsweep

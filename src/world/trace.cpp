@@ -4,54 +4,46 @@
 #include <iterator>
 #include <utility>
 
+#include "world/trace_frames.h"
+#include "world/trace_part.h"
+
 namespace cellsweep {
 namespace {
 
-/// A frame's part of a list.
-template <class T>
-std::span<const T> part(const std::vector<T>& list, const std::vector<std::size_t>& ends, std::size_t frame) {
-  if (frame >= ends.size()) return {};  // of no frames
-  const std::size_t first = frame == 0 ? 0 : ends[frame - 1];
-  return std::span(list).subspan(first, ends[frame] - first);
-}
-
 class TraceFrames final : public FrameSource {
  public:
-  explicit TraceFrames(std::shared_ptr<const Trace> trace) : trace_(std::move(trace)), boxes_(trace_->ids()) {
-    if (!trace_->inserted_filters.empty()) filters_.resize(boxes_.size());
-    come_and_go_ = !trace_->removed.empty() ||
-                   (trace_->frames() > 0 && trace_->inserted_ends[0] < trace_->inserted.size());
-    if (trace_->frames() > 0) enter();
+  TraceFrames(TraceSummary summary, std::unique_ptr<TraceParts> parts)
+      : summary_(std::move(summary)), parts_(std::move(parts)), boxes_(summary_.ids) {
+    if (summary_.has_filters) filters_.resize(boxes_.size());
+    if (const auto first = parts_->next()) enter(*first);
   }
 
-  std::string name() const override { return trace_->name; }
-  bool bodies_come_and_go() const override { return come_and_go_; }
+  std::string name() const override { return summary_.name; }
+  bool bodies_come_and_go() const override { return summary_.bodies_come_and_go; }
   std::span<const Aabb> boxes() const override { return boxes_; }
   std::span<const BodyId> bodies() const override { return bodies_; }
   std::span<const BodyFilter> filters() const override { return filters_; }
-  std::span<const BodyId> moved() const override { return part(trace_->moved, trace_->moved_ends, frame_); }
+  std::span<const BodyId> moved() const override { return part_.moved; }
   std::span<const BodyId> inserted() const override {
-    return frame_ == 0 ? std::span<const BodyId>() : came();
+    return is_first_ ? std::span<const BodyId>() : part_.inserted;
   }
-  std::span<const BodyId> removed() const override {
-    return part(trace_->removed, trace_->removed_ends, frame_);
-  }
+  std::span<const BodyId> removed() const override { return part_.removed; }
+  Status status() const override { return parts_->status(); }
 
   bool advance() override {
-    if (frame_ + 1 >= trace_->frames()) return false;
-    ++frame_;
-    enter();
+    const auto next = parts_->next();
+    if (!next) return false;
+    is_first_ = false;
+    enter(*next);
     return true;
   }
 
  private:
-  std::span<const BodyId> came() const { return part(trace_->inserted, trace_->inserted_ends, frame_); }
-
-  void enter() {
-    if (frame_ > 0) leave(removed());
-    join(came());
-    const std::span<const Aabb> boxes = part(trace_->moved_boxes, trace_->moved_ends, frame_);
-    for (std::size_t i = 0; i < boxes.size(); ++i) boxes_[moved()[i]] = boxes[i];
+  void enter(const TracePart& part) {
+    part_ = part;
+    leave(part.removed);
+    join(part);
+    for (std::size_t i = 0; i < part.moved.size(); ++i) boxes_[part.moved[i]] = part.moved_boxes[i];
   }
 
   void leave(std::span<const BodyId> gone) {
@@ -61,42 +53,52 @@ class TraceFrames final : public FrameSource {
     std::swap(bodies_, next_);
   }
 
-  void join(std::span<const BodyId> came) {
+  void join(const TracePart& part) {
+    const std::span<const BodyId> came = part.inserted;
     if (came.empty()) return;
-    const std::span<const Aabb> boxes = part(trace_->inserted_boxes, trace_->inserted_ends, frame_);
-    for (std::size_t i = 0; i < came.size(); ++i) boxes_[came[i]] = boxes[i];
-    if (!filters_.empty()) {
-      const auto filters = part(trace_->inserted_filters, trace_->inserted_ends, frame_);
-      for (std::size_t i = 0; i < came.size(); ++i) filters_[came[i]] = filters[i];
-    }
+    for (std::size_t i = 0; i < came.size(); ++i) boxes_[came[i]] = part.inserted_boxes[i];
+    for (std::size_t i = 0; i < part.inserted_filters.size(); ++i)
+      filters_[came[i]] = part.inserted_filters[i];
     next_.clear();
     std::ranges::merge(bodies_, came, std::back_inserter(next_));
     std::swap(bodies_, next_);
   }
 
-  std::shared_ptr<const Trace> trace_;
-  bool come_and_go_ = false;
-  std::size_t frame_ = 0;
+  TraceSummary summary_;
+  std::unique_ptr<TraceParts> parts_;
+  TracePart part_;  // of the frame that it stands at
+  bool is_first_ = true;
   std::vector<Aabb> boxes_;          // by id
   std::vector<BodyFilter> filters_;  // by id, or none
   std::vector<BodyId> bodies_;       // ascending
   std::vector<BodyId> next_;
 };
 
-void append(Trace& trace, const FrameSource& source, std::span<const BodyId> inserted) {
-  for (const BodyId body : inserted) {
-    trace.inserted.push_back(body);
-    trace.inserted_boxes.push_back(source.boxes()[body]);
-    if (!source.filters().empty()) trace.inserted_filters.push_back(source.filters()[body]);
+class PartsInMemory final : public TraceParts {
+ public:
+  explicit PartsInMemory(std::shared_ptr<const Trace> trace) : trace_(std::move(trace)) {}
+
+  std::optional<TracePart> next() override {
+    if (frame_ == trace_->frames()) return std::nullopt;
+    return part_of(*trace_, frame_++);
   }
-  trace.removed.insert(trace.removed.end(), source.removed().begin(), source.removed().end());
-  for (const BodyId body : source.moved()) {
-    trace.moved.push_back(body);
-    trace.moved_boxes.push_back(source.boxes()[body]);
-  }
-  trace.inserted_ends.push_back(trace.inserted.size());
-  trace.removed_ends.push_back(trace.removed.size());
-  trace.moved_ends.push_back(trace.moved.size());
+
+ private:
+  std::shared_ptr<const Trace> trace_;
+  std::size_t frame_ = 0;
+};
+
+/// A frame's part of a list, or nothing of one that is empty in all frames.
+template <class T>
+std::span<const T> part_of_list(const std::vector<T>& list, const std::vector<std::size_t>& ends,
+                                std::size_t frame) {
+  if (list.empty()) return {};
+  const std::size_t first = frame == 0 ? 0 : ends[frame - 1];
+  return std::span(list).subspan(first, ends[frame] - first);
+}
+
+void extend(auto& list, const auto& more) {
+  list.insert(list.end(), more.begin(), more.end());
 }
 
 }  // namespace
@@ -106,17 +108,64 @@ std::size_t Trace::ids() const {
   return largest == inserted.end() ? 0 : *largest + std::size_t{1};
 }
 
+TracePart part_of(const Trace& trace, std::size_t frame) {
+  return {part_of_list(trace.inserted, trace.inserted_ends, frame),
+          part_of_list(trace.inserted_boxes, trace.inserted_ends, frame),
+          part_of_list(trace.inserted_filters, trace.inserted_ends, frame),
+          part_of_list(trace.removed, trace.removed_ends, frame),
+          part_of_list(trace.moved, trace.moved_ends, frame),
+          part_of_list(trace.moved_boxes, trace.moved_ends, frame)};
+}
+
+void take_frame(const FrameSource& source, bool is_first, TraceFrame& frame) {
+  const std::span<const BodyId> inserted = is_first ? source.bodies() : source.inserted();
+  const std::span<const BodyId> moved = source.moved();
+  frame.inserted.assign(inserted.begin(), inserted.end());
+  frame.removed.assign(source.removed().begin(), source.removed().end());
+  frame.moved.assign(moved.begin(), moved.end());
+  frame.inserted_boxes.clear();
+  frame.inserted_filters.clear();
+  frame.moved_boxes.clear();
+  for (const BodyId body : inserted) frame.inserted_boxes.push_back(source.boxes()[body]);
+  for (const BodyId body : moved) frame.moved_boxes.push_back(source.boxes()[body]);
+  if (source.filters().empty()) return;
+  for (const BodyId body : inserted) frame.inserted_filters.push_back(source.filters()[body]);
+}
+
+void append(Trace& trace, const TracePart& part) {
+  extend(trace.inserted, part.inserted);
+  extend(trace.inserted_boxes, part.inserted_boxes);
+  extend(trace.inserted_filters, part.inserted_filters);
+  extend(trace.removed, part.removed);
+  extend(trace.moved, part.moved);
+  extend(trace.moved_boxes, part.moved_boxes);
+  trace.inserted_ends.push_back(trace.inserted.size());
+  trace.removed_ends.push_back(trace.removed.size());
+  trace.moved_ends.push_back(trace.moved.size());
+}
+
 Trace record_trace(FrameSource& source, std::size_t updates) {
   Trace trace;
   trace.name = source.name();
-  append(trace, source, source.bodies());
-  for (std::size_t update = 0; update < updates && source.advance(); ++update)
-    append(trace, source, source.inserted());
+  TraceFrame frame;
+  take_frame(source, true, frame);
+  append(trace, frame.part());
+  for (std::size_t update = 0; update < updates && source.advance(); ++update) {
+    take_frame(source, false, frame);
+    append(trace, frame.part());
+  }
   return trace;
 }
 
+std::unique_ptr<FrameSource> make_trace_frames(TraceSummary summary, std::unique_ptr<TraceParts> parts) {
+  return std::make_unique<TraceFrames>(std::move(summary), std::move(parts));
+}
+
 std::unique_ptr<FrameSource> make_trace_frames(std::shared_ptr<const Trace> trace) {
-  return std::make_unique<TraceFrames>(std::move(trace));
+  TraceSummary summary{trace->name, trace->ids(), false, !trace->inserted_filters.empty()};
+  summary.bodies_come_and_go =
+      !trace->removed.empty() || (trace->frames() > 0 && trace->inserted_ends[0] < trace->inserted.size());
+  return make_trace_frames(std::move(summary), std::make_unique<PartsInMemory>(std::move(trace)));
 }
 
 }  // namespace cellsweep

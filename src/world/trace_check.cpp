@@ -1,6 +1,7 @@
 #include "world/trace_check.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace cellsweep {
@@ -18,8 +19,6 @@ struct List {
   std::string_view ends_name;
   const std::vector<BodyId>& bodies;
   const std::vector<std::size_t>& ends;
-
-  std::size_t first(std::size_t frame) const { return frame == 0 ? 0 : ends[frame - 1]; }
 };
 
 Fault find_fault_of_ends(const List& list, std::size_t frames) {
@@ -29,22 +28,65 @@ Fault find_fault_of_ends(const List& list, std::size_t frames) {
     return TraceFault{list.ends_name, std::min(ends.size(), frames), 0,
                       std::to_string(frames) + " frames, as inserted_ends has", std::to_string(ends.size())};
   }
+  TraceEnd expected{list.ends_name, list.name, 0, list.bodies.size()};
   for (std::size_t frame = 0; frame < frames; ++frame) {
-    const std::size_t least = list.first(frame);
-    const std::size_t most = list.bodies.size();
-    if (ends[frame] >= least && ends[frame] <= most && (frame + 1 < frames || ends[frame] == most)) continue;
-    return TraceFault{list.ends_name, frame, frame,
-                      frame + 1 == frames
-                          ? "the number of bodies in " + std::string(list.name) + ", " + std::to_string(most)
-                          : "a number of " + std::to_string(least) + " to " + std::to_string(most),
-                      std::to_string(ends[frame])};
+    if (Fault fault = find_fault(expected, ends[frame], frame, frame + 1 == frames)) return fault;
+    expected.least = ends[frame];
   }
   return std::nullopt;
 }
 
-enum class State : unsigned char { absent, present, removed_now, inserted_now };
+Fault find_fault_of_bodies(const Trace& trace) {
+  const std::array<List, 3> lists = {{{"inserted", "inserted_ends", trace.inserted, trace.inserted_ends},
+                                      {"removed", "removed_ends", trace.removed, trace.removed_ends},
+                                      {"moved", "moved_ends", trace.moved, trace.moved_ends}}};
+  for (const List& list : lists) {
+    if (Fault fault = find_fault_of_ends(list, trace.frames())) return fault;
+  }
+  TraceCheck check(trace.inserted.size());
+  for (std::size_t frame = 0; frame < trace.frames(); ++frame) {
+    if (Fault fault = check.next(part_of(trace, frame))) return fault;
+  }
+  return std::nullopt;
+}
 
-std::string_view name_of(State state) {
+Fault wrong_length(std::string_view list, std::size_t length, std::string_view of, std::size_t expected) {
+  return TraceFault{list, std::min(length, expected), 0,
+                    std::to_string(expected) + " elements, as " + std::string(of) + " has",
+                    std::to_string(length)};
+}
+
+}  // namespace
+
+std::string in_frame(const TraceFault& fault) {
+  return " (frame " + std::to_string(fault.frame) + "): expected " + fault.expected + ", found " +
+         fault.found;
+}
+
+std::optional<TraceFault> find_fault(const Trace& trace) {
+  const std::size_t inserted = trace.inserted.size();
+  if (trace.inserted_boxes.size() != inserted)
+    return wrong_length("inserted_boxes", trace.inserted_boxes.size(), "inserted", inserted);
+  if (!trace.inserted_filters.empty() && trace.inserted_filters.size() != inserted)
+    return wrong_length("category", trace.inserted_filters.size(), "inserted", inserted);
+  if (trace.moved_boxes.size() != trace.moved.size())
+    return wrong_length("moved_boxes", trace.moved_boxes.size(), "moved", trace.moved.size());
+  return find_fault_of_bodies(trace);
+}
+
+std::optional<TraceFault> find_fault(const TraceEnd& expected, std::uint64_t end, std::size_t frame,
+                                     bool is_last) {
+  const std::uint64_t all = expected.all;
+  if (end >= expected.least && end <= all && (!is_last || end == all)) return std::nullopt;
+  std::string what =
+      is_last ? "the number of bodies in " + std::string(expected.name) + ", " + std::to_string(all)
+              : "a number of " + std::to_string(expected.least) + " to " + std::to_string(all);
+  return TraceFault{expected.ends_name, frame, frame, std::move(what), std::to_string(end)};
+}
+
+TraceCheck::TraceCheck(std::size_t all_inserted) : all_inserted_(all_inserted) {}
+
+std::string_view TraceCheck::name_of(State state) {
   switch (state) {
     case State::present:
       return "which is there";
@@ -57,95 +99,79 @@ std::string_view name_of(State state) {
   }
 }
 
-/// Follows the bodies through the frames.
-class BodyCheck {
- public:
-  explicit BodyCheck(const Trace& trace)
-      : inserted_{"inserted", "inserted_ends", trace.inserted, trace.inserted_ends},
-        removed_{"removed", "removed_ends", trace.removed, trace.removed_ends},
-        moved_{"moved", "moved_ends", trace.moved, trace.moved_ends} {}
-
-  Fault run() {
-    const std::size_t frames = inserted_.ends.size();
-    for (const List* list : {&inserted_, &removed_, &moved_}) {
-      if (Fault fault = find_fault_of_ends(*list, frames)) return fault;
-    }
-    const std::size_t most = std::max(kFewIds, kIdsOfBody * inserted_.bodies.size());
-    for (std::size_t frame = 0; frame < frames; ++frame) {
-      if (Fault fault = run_frame(frame, most)) return fault;
-    }
-    return std::nullopt;
-  }
-
- private:
-  Fault run_frame(std::size_t frame, std::size_t most) {
-    const auto is_there = [](State state) { return state == State::present; };
-    if (Fault fault = run_list(removed_, frame, "a body that is there", is_there)) return fault;
-    set(removed_, frame, State::removed_now);
-    for (std::size_t i = inserted_.first(frame); i < inserted_.ends[frame]; ++i) {
-      const BodyId body = inserted_.bodies[i];
-      if (body >= most) {
-        return TraceFault{"inserted", i, frame,
-                          "an id below " + std::to_string(most) + " for " +
-                              std::to_string(inserted_.bodies.size()) + " bodies",
-                          std::to_string(body)};
-      }
-      if (body >= states_.size()) states_.resize(body + std::size_t{1}, State::absent);
-    }
-    const auto is_free = [](State state) { return state == State::absent; };
-    if (Fault fault = run_list(inserted_, frame, "a body that is not there", is_free)) return fault;
-    set(inserted_, frame, State::inserted_now);
-    if (Fault fault = run_list(moved_, frame, "a body that was there in the frame before", is_there))
-      return fault;
-    set(removed_, frame, State::absent);
-    set(inserted_, frame, State::present);
-    return std::nullopt;
-  }
-
-  template <class IsGood>
-  Fault run_list(const List& list, std::size_t frame, const char* expected, IsGood&& is_good) const {
-    for (std::size_t i = list.first(frame); i < list.ends[frame]; ++i) {
-      const BodyId body = list.bodies[i];
-      if (i > list.first(frame) && list.bodies[i - 1] >= body) {
-        return TraceFault{list.name, i, frame,
-                          "an id above the one before it, " + std::to_string(list.bodies[i - 1]),
-                          std::to_string(body)};
-      }
-      const State state = body < states_.size() ? states_[body] : State::absent;
-      if (is_good(state)) continue;
-      return TraceFault{list.name, i, frame, expected,
-                        std::to_string(body) + ", " + std::string(name_of(state))};
-    }
-    return std::nullopt;
-  }
-
-  void set(const List& list, std::size_t frame, State state) {
-    for (std::size_t i = list.first(frame); i < list.ends[frame]; ++i) states_[list.bodies[i]] = state;
-  }
-
-  List inserted_;
-  List removed_;
-  List moved_;
-  std::vector<State> states_;  // by id
-};
-
-Fault wrong_length(std::string_view list, std::size_t length, std::string_view of, std::size_t expected) {
-  return TraceFault{list, std::min(length, expected), 0,
-                    std::to_string(expected) + " elements, as " + std::string(of) + " has",
-                    std::to_string(length)};
+std::optional<TraceFault> TraceCheck::next(const TracePart& part) {
+  const auto is_there = [](State state) { return state == State::present; };
+  const auto is_free = [](State state) { return state == State::absent; };
+  if (Fault fault = run_list("removed", part.removed, removed_, "a body that is there", is_there))
+    return fault;
+  set(part.removed, State::removed_now);
+  if (Fault fault = make_room(part.inserted)) return fault;
+  if (Fault fault = run_list("inserted", part.inserted, inserted_, "a body that is not there", is_free))
+    return fault;
+  set(part.inserted, State::inserted_now);
+  if (Fault fault =
+          run_list("moved", part.moved, moved_, "a body that was there in the frame before", is_there))
+    return fault;
+  set(part.removed, State::absent);
+  set(part.inserted, State::present);
+  ++frame_;
+  inserted_ += part.inserted.size();
+  removed_ += part.removed.size();
+  moved_ += part.moved.size();
+  return std::nullopt;
 }
 
-}  // namespace
+std::optional<TraceFault> TraceCheck::find_fault_of_id(std::size_t index, std::size_t frame, BodyId body,
+                                                       std::size_t all_inserted) const {
+  const std::size_t most = std::max(kFewIds, kIdsOfBody * all_inserted);
+  if (body < most) return std::nullopt;
+  return TraceFault{
+      "inserted", index, frame,
+      "an id below " + std::to_string(most) + " for " + std::to_string(all_inserted) + " bodies",
+      std::to_string(body)};
+}
 
-std::optional<TraceFault> find_fault(const Trace& trace) {
-  const std::size_t inserted = trace.inserted.size();
-  if (trace.inserted_boxes.size() != inserted)
-    return wrong_length("inserted_boxes", trace.inserted_boxes.size(), "inserted", inserted);
-  if (!trace.inserted_filters.empty() && trace.inserted_filters.size() != inserted)
-    return wrong_length("category", trace.inserted_filters.size(), "inserted", inserted);
-  if (trace.moved_boxes.size() != trace.moved.size())
-    return wrong_length("moved_boxes", trace.moved_boxes.size(), "moved", trace.moved.size());
-  return BodyCheck(trace).run();
+std::optional<TraceFault> TraceCheck::make_room(std::span<const BodyId> inserted) {
+  for (std::size_t i = 0; i < inserted.size(); ++i) {
+    const BodyId body = inserted[i];
+    if (body < states_.size()) continue;
+    if (all_inserted_) {
+      if (Fault fault = find_fault_of_id(inserted_ + i, frame_, body, *all_inserted_)) return fault;
+    }
+    states_.resize(body + std::size_t{1}, State::absent);
+    index_of_largest_ = inserted_ + i;
+    frame_of_largest_ = frame_;
+  }
+  return std::nullopt;
+}
+
+std::optional<TraceFault> TraceCheck::check_ids() const {
+  if (states_.empty()) return std::nullopt;
+  return find_fault_of_id(index_of_largest_, frame_of_largest_, static_cast<BodyId>(states_.size() - 1),
+                          inserted_);
+}
+
+template <class IsGood>
+std::optional<TraceFault> TraceCheck::run_list(std::string_view name, std::span<const BodyId> bodies,
+                                               std::size_t first, const char* expected,
+                                               IsGood&& is_good) const {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyId body = bodies[i];
+    if (i > 0 && bodies[i - 1] >= body) {
+      return TraceFault{name, first + i, frame_,
+                        "an id above the one before it, " + std::to_string(bodies[i - 1]),
+                        std::to_string(body)};
+    }
+    const State state = body < states_.size() ? states_[body] : State::absent;
+    if (is_good(state)) continue;
+    return TraceFault{name, first + i, frame_, expected,
+                      std::to_string(body) + ", " + std::string(name_of(state))};
+  }
+  return std::nullopt;
+}
+
+void TraceCheck::set(std::span<const BodyId> bodies, State state) {
+  for (const BodyId body : bodies) states_[body] = state;
 }
 
 }  // namespace cellsweep

@@ -68,6 +68,12 @@ class WrittenFile : public testing::TestWithParam<Writer> {
     return all;
   }
 
+  /// Ctrl-C ends a recording with the frames until then; of those the file is whole.
+  bool is_ended_early() const {
+    return arguments().starts_with("record ") && contents(path()) != kOld &&
+           run_command("replay " + path().string() + " --engine control").exit_code == 0;
+  }
+
   /// A timeline has other times in each run; that it is whole shows at its end.
   bool is_whole() const {
     const std::string now = contents(path());
@@ -148,7 +154,7 @@ TEST_P(WrittenFile, LeavesNothingBesideItWhenASignalEndsTheCommand) {
     for (long number = 1; number <= calls; ++number) {
       set_before(true);
       run_failing(arguments(), {"file", number, signal});
-      expect_old_or_new(true, text(signal, " before call ", number));
+      if (!is_ended_early()) expect_old_or_new(true, text(signal, " before call ", number));
       EXPECT_THAT(names(), ElementsAre(GetParam().file)) << signal << " before call " << number;
     }
   }
@@ -181,6 +187,7 @@ INSTANTIATE_TEST_SUITE_P(
         Writer{"RecordingOfBroadmark", "record --bodies 20 --frames 3 --out", "a.aabbs"},
         Writer{"RecordingOfNumPy", "record --bodies 20 --frames 3 --out", "a.npy"},
         Writer{"Trace", "record --bodies 20 --frames 3 --out", "a.npz"},
+        Writer{"LongTrace", "record --bodies 150 --moving 1 --frames 40 --out", "a.npz"},
         Writer{"Timeline", "simulate --bodies 20 --frames 3 --engine stream --trace", "t.json", false},
         Writer{"Picture", "render --bodies 9 --width 8 --height 8 --samples 1 --threads 1 --out", "a.png"}),
     [](const auto& writer) { return writer.param.name; });

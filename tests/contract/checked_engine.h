@@ -82,6 +82,9 @@ class CheckedEngine {
   /// An update() that must fail, and leave pairs, boxes and what was called since the last one as they were.
   testing::AssertionResult refuse_update(Status& status);
 
+  /// Whether all is there that the last update gave, with the bodies and boxes that the model has.
+  testing::AssertionResult state_is_kept();
+
   /// Whether pairs() is called from now on: a caller may look at what changed alone.
   void look_at_pairs(bool look) { looks_ = look; }
 
@@ -105,7 +108,6 @@ class CheckedEngine {
   auto call_engine(Call call) -> decltype(call());
   testing::AssertionResult failure() const;
   testing::AssertionResult accepted(const char* call, const Status& status);
-  testing::AssertionResult state_is_kept();
   testing::AssertionResult bodies_are_kept() const;
   testing::AssertionResult boxes_are_kept();
   testing::AssertionResult ids_are_right(const std::vector<BodyId>& ids) const;

@@ -10,15 +10,14 @@
 #include <limits>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "base/memory/starved.h"
 #include "contract/box_kinds.h"
 #include "contract/effort.h"
 #include "engines/oracle/brute_force.h"
+#include "float_settings.h"
 #include "one_shot/sets_of_boxes.h"
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
 namespace cellsweep::one_shot {
 namespace {
@@ -266,24 +265,20 @@ TEST(FindPairs, LeavesNothingWhereverMemoryRunsOut) {
   }
 }
 
-#if defined(__SSE2__)
-
 TEST(FindPairs, DoesNotMindTheCallersFloatingPointSettings) {
-  const unsigned before = _mm_getcsr();
   const auto boxes = two_tiny_clusters(2500, 1);
   const auto truth = true_pairs(boxes);
-  for (const unsigned rounding : {0x2000U, 0x4000U, 0x6000U}) {
-    const unsigned settings = (before & ~0x6000U) | rounding | 0x8040U;
-    _mm_setcsr(settings);
-    const auto found = find_pairs(boxes);
-    const unsigned after = _mm_getcsr();
-    _mm_setcsr(before);
-    EXPECT_EQ(after & ~0x3fU, settings & ~0x3fU);
-    EXPECT_EQ(*found, truth);
+  for (const auto settings : all_float_settings()) {
+    const auto [found, are_kept] = [&] {
+      const FloatSettings of_caller(settings);
+      const auto before = float_settings();
+      auto pairs = find_pairs(boxes);
+      return std::pair(std::move(pairs), float_settings() == before);
+    }();
+    EXPECT_TRUE(are_kept) << "settings " << settings;
+    EXPECT_EQ(*found, truth) << "settings " << settings;
   }
 }
-
-#endif
 
 }  // namespace
 }  // namespace cellsweep::one_shot

@@ -53,10 +53,9 @@ class Twins {
   /// What differs now.
   std::string compare(const PairChanges& truth, const RankChanges& said) const;
   std::string compare_pairs() const;
-
- private:
   std::string compare_bodies() const;
 
+ private:
   Result<DistributedBroadphase> world_;
   Broadphase whole_;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <iterator>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -115,13 +116,26 @@ Outcome live_in_scene(const ContractEngine& engine, Random& random, std::uint64_
   return outcome;
 }
 
+/// The engines of that name, or all.
+std::vector<ContractEngine> engines_named(std::string_view name) {
+  std::vector<ContractEngine> engines = contract::contract_engines();
+  if (!name.empty())
+    std::erase_if(engines, [&](const ContractEngine& engine) { return engine.name != name; });
+  return engines;
+}
+
 }  // namespace
 
-Outcome live(std::uint64_t seed) {
+Outcome live(std::uint64_t seed, std::string_view only) {
   Random random(seed);
-  if (random.one_in(8)) return live_by_bytes(random);
-  const ContractEngine& engine = one_of(random, contract::contract_engines());
+  if (random.one_in(8) && (only.empty() || only == "stream")) return live_by_bytes(random);
+  const std::vector<ContractEngine> engines = engines_named(only);
+  const ContractEngine& engine = one_of(random, engines);
   return random.one_in(2) ? live_by_calls(engine, random, seed) : live_in_scene(engine, random, seed);
+}
+
+bool is_engine(std::string_view name) {
+  return !engines_named(name).empty();
 }
 
 }  // namespace cellsweep::soak

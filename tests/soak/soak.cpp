@@ -48,8 +48,9 @@ Status write(const std::string& path, const Totals& totals) {
 class Soak {
  public:
   /// Without a path nothing is remembered.
-  Soak(std::string path, double hours, std::uint64_t worlds)
+  Soak(std::string path, double hours, std::uint64_t worlds, std::string engine)
       : path_(std::move(path)),
+        engine_(std::move(engine)),
         totals_(read(path_)),
         hours_before_(totals_.hours),
         hours_(hours),
@@ -71,10 +72,11 @@ class Soak {
   }
 
   bool live_once() {
-    const Outcome outcome = live(totals_.next_seed);
+    const Outcome outcome = live(totals_.next_seed, engine_);
     if (!outcome.failure.empty()) {
       std::cerr << "seed " << totals_.next_seed << ", " << outcome.story << ": " << outcome.failure
-                << "\nAgain: cellsweep_soak --seed " << totals_.next_seed << '\n';
+                << "\nAgain: cellsweep_soak --seed " << totals_.next_seed
+                << (engine_.empty() ? "" : " --engine " + engine_) << '\n';
       return false;
     }
     ++totals_.next_seed;
@@ -117,6 +119,7 @@ class Soak {
   static constexpr std::size_t kThreadsOfLibraries = 8;
 
   std::string path_;
+  std::string engine_;
   Totals totals_;
   double hours_before_;
   double hours_;
@@ -127,8 +130,8 @@ class Soak {
   Held warm_;
 };
 
-int repeat(std::uint64_t seed) {
-  const Outcome outcome = live(seed);
+int repeat(std::uint64_t seed, const std::string& engine) {
+  const Outcome outcome = live(seed, engine);
   std::cout << outcome.story << ": " << (outcome.failure.empty() ? "right" : outcome.failure) << '\n';
   return outcome.failure.empty() ? 0 : 1;
 }
@@ -144,14 +147,21 @@ int main(int argc, char** argv) {
   std::string state = "soak-state.txt";
   std::uint64_t worlds = ~std::uint64_t{0};
   std::uint64_t seed = 0;
+  std::string engine;
   program.add_option("HOURS", hours, "How long, ten minutes unless told")->check(CLI::Range(0.0, 10000.0));
   program.add_option("--state", state, "Where it writes how far it is, and goes on from")
       ->capture_default_str();
   program.add_option("--worlds", worlds, "No more worlds than this")->type_name("N");
   program.add_option("--seed", seed, "Only this world, once more");
-  program.footer("Examples:\n  cellsweep_soak 8\n  cellsweep_soak --seed 4711");
+  program.add_option("--engine", engine, "Only worlds of this engine, as `cellsweep engines` names it")
+      ->check([](const std::string& name) {
+        return cellsweep::soak::is_engine(name) ? "" : "there is no engine " + name;
+      });
+  program.footer(
+      "Examples:\n  cellsweep_soak 8\n  cellsweep_soak --seed 4711\n  cellsweep_soak --engine stream "
+      "--worlds 500 --state ''");
   CLI11_PARSE(program, argc, argv);
-  if (seed != 0) return cellsweep::soak::repeat(seed);
+  if (seed != 0) return cellsweep::soak::repeat(seed, engine);
   const cellsweep::report::InterruptScope stops;
-  return cellsweep::soak::Soak(state, hours, worlds).run();
+  return cellsweep::soak::Soak(state, hours, worlds, engine).run();
 }

@@ -7,6 +7,7 @@
 #include "cellsweep/world/frame_file.h"
 #include "cellsweep/world/scene.h"
 #include "world/recording_matchers.h"
+#include "world/same_frames.h"
 #include "world/trace_check.h"
 #include "world/traces.h"
 
@@ -65,24 +66,6 @@ TEST(TraceFrames, OfTheSameBodiesInAllFramesDoNotComeAndGo) {
   const auto frames = make_trace_frames(std::make_shared<const Trace>(record_trace(*source, 3)));
   EXPECT_FALSE(frames->bodies_come_and_go());
   EXPECT_THAT(frames->filters(), IsEmpty());
-}
-
-/// Expects that both tell the same in every frame, and where a body is there, that it has the same.
-void expect_same_frames(FrameSource& one, FrameSource& other, std::size_t frames) {
-  for (std::size_t frame = 0; frame < frames; ++frame) {
-    ASSERT_TRUE(std::ranges::equal(one.bodies(), other.bodies())) << "frame " << frame;
-    ASSERT_TRUE(std::ranges::equal(one.inserted(), other.inserted())) << "frame " << frame;
-    ASSERT_TRUE(std::ranges::equal(one.removed(), other.removed())) << "frame " << frame;
-    ASSERT_TRUE(std::ranges::equal(one.moved(), other.moved())) << "frame " << frame;
-    ASSERT_EQ(one.filters().empty(), other.filters().empty());
-    for (const BodyId body : one.bodies()) {
-      ASSERT_EQ(one.boxes()[body], other.boxes()[body]) << "frame " << frame << ", body " << body;
-      if (!one.filters().empty()) {
-        ASSERT_EQ(one.filters()[body], other.filters()[body]) << "frame " << frame << ", body " << body;
-      }
-    }
-    ASSERT_EQ(one.advance(), other.advance() || frame + 1 == frames);
-  }
 }
 
 TEST(RecordTrace, OfEverySceneHoldsTogetherAndTellsTheSame) {

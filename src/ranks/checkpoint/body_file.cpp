@@ -8,7 +8,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -183,19 +182,22 @@ herr_t keep_first(unsigned, const H5E_error2_t* error, void* reason) {
 
 /// Calls of all ranks, after each of which they agree that it was good; after the first that was not there
 /// are no more.
+template <class Fault>
 class AgreedCalls {
  public:
-  AgreedCalls(const Job& job, std::function<Status()> fault) : job_(job), fault_(std::move(fault)) {}
+  AgreedCalls(const Job& job, Fault fault) : job_(job), fault_(fault) {}
 
-  bool call(const std::function<bool()>& work) {
+  template <class Work>
+  bool call(const Work& work) {
     if (status_.ok()) status_ = job_.agree([&] { return work() ? Status() : fault_(); });
     return status_.ok();
   }
-  Status status() const { return status_; }
+  /// Once, at the end.
+  Status take_status() { return std::move(status_); }
 
  private:
   const Job& job_;
-  std::function<Status()> fault_;
+  Fault fault_;
   Status status_;
 };
 
@@ -336,7 +338,7 @@ Status write_bodies(const Job& job, const std::string& path, std::size_t first_b
   }
   all.call([&] { return MPI_File_sync(file) == MPI_SUCCESS; });
   if (file != MPI_FILE_NULL) MPI_File_close(&file);
-  return all.status();
+  return all.take_status();
 }
 
 Status read_bodies(const Job& job, const std::string& path, std::optional<std::uint64_t> rows,
@@ -346,12 +348,12 @@ Status read_bodies(const Job& job, const std::string& path, std::optional<std::u
                   [&] { return Status::bad_input(text("Cannot read ", path, ": ", hdf5_reason(), ".")); });
   const Handle access = access_by_all(job);
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
-  if (!all.call([&] { return file.ok(); })) return all.status();
+  if (!all.call([&] { return file.ok(); })) return all.take_status();
   const bool good = all.call([&] {
     return read_number(file, "pairs", world.pairs) && read_number(file, "pair_hash", world.pair_hash) &&
            read_number(file, "bodies", world.bodies) && read_note(file, world.note);
   });
-  if (!good) return all.status();
+  if (!good) return all.take_status();
   const auto ranks = static_cast<std::uint64_t>(job.ranks());
   const auto rank = static_cast<std::uint64_t>(job.rank());
   const Share share =
@@ -364,8 +366,9 @@ Status read_bodies(const Job& job, const std::string& path, std::optional<std::u
   for (const Column& column : columns()) {
     const Handle dataset(H5Dopen2(file, column.name, H5P_DEFAULT), H5Dclose);
     if (!all.call([&] { return dataset.ok() && has_shape(dataset, world.bodies, column.numbers); }))
-      return all.status();
-    if (!all.call([&] { return read_rows(dataset, column, share, world.bodies, mine); })) return all.status();
+      return all.take_status();
+    if (!all.call([&] { return read_rows(dataset, column, share, world.bodies, mine); }))
+      return all.take_status();
   }
   return {};
 }

@@ -81,11 +81,11 @@ Status try_path(const std::string& path, const std::string& part) {
   return {};
 }
 
-// Of the file that is written: the seal, then its name, on the disk.
+// Of the file that is written: the seal, then its name, on the disk. Once it has that, nothing fails.
 Status publish(const std::string& part, const std::string& path, const ranks::Seal& seal) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
   if (Status status = ranks::write_seal(part, seal); !status.ok()) return status;
   if (std::rename(part.c_str(), path.c_str()) != 0) return ranks::write_fault(path, errno);
-  const std::string folder = std::filesystem::path(path).parent_path().string();
   const int file = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (file < 0) return {};
   ::fsync(file);
@@ -125,7 +125,8 @@ Status write_part(const Job& job, const std::string& part, const WorldRow& row, 
     if (bytes) seal.bytes = *bytes;
     return bytes.status();
   });
-  return status.ok() ? add_up(job, part, seal.bytes, seal.checksum) : status;
+  if (!status.ok()) return status;
+  return add_up(job, part, seal.bytes, seal.checksum);
 }
 
 // What the file says, from its seal to its bodies.
@@ -139,8 +140,11 @@ Status read_checkpoint(const Job& job, const std::string& path, WorldRow& row, B
   std::uint64_t checksum = 0;
   if (status.ok()) status = add_up(job, path, seal.bytes, checksum);
   if (!status.ok()) return status;
-  if (checksum != seal.checksum)
+  status = job.agree([&]() -> Status {
+    if (checksum == seal.checksum) return {};
     return Status::bad_input(text(path, " was changed since it was written: its checksum is another one."));
+  });
+  if (!status.ok()) return status;
   return ranks::read_bodies(job, path, std::nullopt, row, mine);
 }
 
@@ -164,8 +168,11 @@ Status save_checkpoint(const DistributedBroadphase& world, const std::string& pa
   if (!status.ok()) return status;
   if (status = share_note(job, row.note); !status.ok()) return status;
   add_up_pairs(job, row);
-  const std::string part = path + ".part";
-  status = job.agree([&] { return job.rank() == 0 ? try_path(path, part) : Status(); });
+  std::string part;
+  status = job.agree([&] {
+    part = path + ".part";
+    return job.rank() == 0 ? try_path(path, part) : Status();
+  });
   if (!status.ok()) return status;
   ranks::Seal seal;
   status = write_part(job, part, row, mine, seal);
@@ -181,10 +188,10 @@ Result<RestoredWorld> load_checkpoint(MPI_Comm communicator, const std::string& 
   WorldRow row;
   if (Status status = read_checkpoint(job, path, row, mine); !status.ok()) return status;
   auto world = make_distributed_broadphase(communicator, options);
-  if (!world) return world.status();
-  Status inserted = Job::attempt([&] { return insert_all(*world, mine); });
-  if (inserted = job.agree(inserted); !inserted.ok()) return inserted;
-  if (const auto changes = world->update(); !changes) return changes.status();
+  if (Status made = Job::attempt([&] { return world.status(); }); !made.ok()) return made;
+  Status inserted = job.agree([&] { return insert_all(*world, mine); });
+  if (!inserted.ok()) return inserted;
+  if (Status updated = Job::attempt([&] { return world->update().status(); }); !updated.ok()) return updated;
   WorldRow found;
   Status status = job.agree([&]() -> Status {
     found.pairs = world->pairs().size();
@@ -193,10 +200,12 @@ Result<RestoredWorld> load_checkpoint(MPI_Comm communicator, const std::string& 
   });
   if (!status.ok()) return status;
   add_up_pairs(job, found);
-  if (found.pairs != row.pairs || found.pair_hash != row.pair_hash) {
+  status = job.agree([&]() -> Status {
+    if (found.pairs == row.pairs && found.pair_hash == row.pair_hash) return {};
     return Status::bad_input(text("The bodies in ", path, " have ", found.pairs,
                                   " pairs and others than the ", row.pairs, " that it was written with."));
-  }
+  });
+  if (!status.ok()) return status;
   return RestoredWorld{std::move(*world), std::move(row.note)};
 }
 

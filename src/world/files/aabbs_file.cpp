@@ -117,10 +117,10 @@ Status check_text(std::string_view what, std::string_view text) {
   return {};
 }
 
-Status check_counts(const Recording& recording) {
-  const std::size_t updates = recording.frames() - 1;
-  if (recording.bodies <= kMostCounted && updates <= kMostCounted) return {};
-  return bad_recording(std::to_string(recording.bodies) + " bodies and " + std::to_string(updates) +
+Status check_counts(const RecordingHead& head) {
+  const std::size_t updates = head.frames - 1;
+  if (head.bodies <= kMostCounted && updates <= kMostCounted) return {};
+  return bad_recording(std::to_string(head.bodies) + " bodies and " + std::to_string(updates) +
                        " updates do not both fit the format's limit of 2147483647");
 }
 
@@ -162,23 +162,33 @@ Result<Recording> parse_aabbs(std::span<const std::byte> file) {
   return load_all(*head, file);
 }
 
-Result<std::vector<std::byte>> aabbs_bytes(const Recording& recording) {
-  Status status = check_recording(recording);
-  if (status.ok()) status = check_text("name", recording.name);
-  if (status.ok()) status = check_text("type", recording.type);
-  if (status.ok()) status = check_counts(recording);
-  if (status.ok()) status = check_world(recording.world);
+Result<std::vector<std::byte>> aabbs_head(const RecordingHead& head) {
+  Status status = check_text("name", head.name);
+  if (status.ok()) status = check_text("type", head.type);
+  if (status.ok()) status = check_counts(head);
+  if (status.ok()) status = check_world(head.world);
   if (!status.ok()) return status;
 
   std::vector<std::byte> bytes;
-  bytes.reserve(kHeaderBytes + recording.boxes.size() * kBoxBytes);
-  append_text(bytes, recording.name);
-  append_text(bytes, recording.type);
-  append_number(bytes, static_cast<std::int32_t>(recording.bodies));
-  append_number(bytes, static_cast<std::int32_t>(recording.frames() - 1));
+  append_text(bytes, head.name);
+  append_text(bytes, head.type);
+  append_number(bytes, static_cast<std::int32_t>(head.bodies));
+  append_number(bytes, static_cast<std::int32_t>(head.frames - 1));
   append_number(bytes, std::uint64_t{0});
-  append_box(bytes, recording.world);
-  for (const Aabb& box : recording.boxes) append_box(bytes, box);
+  append_box(bytes, head.world);
+  return bytes;
+}
+
+void append_aabbs(std::vector<std::byte>& bytes, std::span<const Aabb> boxes) {
+  for (const Aabb& box : boxes) append_box(bytes, box);
+}
+
+Result<std::vector<std::byte>> aabbs_bytes(const Recording& recording) {
+  if (Status status = check_recording(recording); !status.ok()) return status;
+  auto bytes = aabbs_head(head_of(recording));
+  if (!bytes) return bytes;
+  bytes->reserve(kHeaderBytes + recording.boxes.size() * kBoxBytes);
+  append_aabbs(*bytes, recording.boxes);
   return bytes;
 }
 

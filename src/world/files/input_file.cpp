@@ -8,6 +8,7 @@
 #include <new>
 #include <system_error>
 
+#include "world/files/read_part.h"
 #include "world/files/whole_file.h"
 
 namespace cellsweep {
@@ -36,16 +37,15 @@ Result<std::shared_ptr<const InputFile>> InputFile::open(const std::filesystem::
   return std::shared_ptr<const InputFile>(std::move(file));
 }
 
+std::int64_t InputFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const noexcept {
+  return read_part(file_, offset, bytes);
+}
+
 Status InputFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
-  while (!bytes.empty()) {
-    const ssize_t count = ::pread(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return cannot_read(path_, errno);
-    if (count == 0)
-      return refusal_of_file(path_, "lost bytes of its " + std::to_string(size_) + " while it was read");
-    offset += static_cast<std::uint64_t>(count);
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
-  }
+  const std::int64_t count = read_at(offset, bytes);
+  if (count < 0) return cannot_read(path_, static_cast<int>(-count));
+  if (static_cast<std::uint64_t>(count) < bytes.size())
+    return refusal_of_file(path_, "lost bytes of its " + std::to_string(size_) + " while it was read");
   return {};
 }
 

@@ -15,15 +15,23 @@ bool zip_is_there() {
   return false;
 }
 
-Result<std::vector<ZipMember>> read_zip(std::span<const std::byte>) {
+Status ZipStream::read(std::span<std::byte>) {
   return no_libzip();
 }
 
-Result<std::vector<ZipMember>> read_zip_file(const std::string&, std::uint64_t) {
+Status ZipStream::finish() {
   return no_libzip();
 }
 
-Result<std::vector<std::byte>> zip_bytes(std::span<const ZipMember>) {
+Result<ZipArchive> ZipArchive::open(std::shared_ptr<const ByteSource>) {
+  return no_libzip();
+}
+
+Result<ZipStream> ZipArchive::stream(std::size_t) const {
+  return no_libzip();
+}
+
+Status write_zip(std::span<const ZipMember>, const std::shared_ptr<ScratchFile>&) {
   return no_libzip();
 }
 

@@ -55,13 +55,18 @@ Result<Recording> parse_npy(std::span<const std::byte> file) {
   return load_all(*head, file);
 }
 
+Result<std::vector<std::byte>> npy_head(const RecordingHead& head) {
+  const std::array<std::uint64_t, 3> shape = {head.frames, head.bodies, 6};
+  std::vector<std::byte> bytes;
+  append_npy_header(bytes, "<f4", shape);
+  return bytes;
+}
+
 Result<std::vector<std::byte>> npy_bytes(const Recording& recording) {
   if (Status status = check_recording(recording); !status.ok()) return status;
-  const std::array<std::uint64_t, 3> shape = {recording.frames(), recording.bodies, 6};
-  std::vector<std::byte> bytes;
-  bytes.reserve(128 + recording.boxes.size() * 6 * sizeof(float));
-  append_npy_header(bytes, "<f4", shape);
-  append_boxes(bytes, recording.boxes);
+  auto bytes = npy_head(head_of(recording));
+  bytes->reserve(bytes->size() + recording.boxes.size() * 6 * sizeof(float));
+  append_boxes(*bytes, recording.boxes);
   return bytes;
 }
 

@@ -62,16 +62,15 @@ std::optional<FaultyBox> load_boxes(std::span<const std::byte> numbers, const Np
                 : load_boxes_of<double, ByteOrder::big>(numbers, boxes);
 }
 
-Status load_numbers(std::span<const std::byte> file, const NpyHeader& header, std::uint64_t most,
-                    std::span<std::uint64_t> numbers) {
-  const std::size_t bytes = header.bytes();
+Status load_numbers(std::span<const std::byte> bytes, const NpyHeader& header, std::uint64_t first,
+                    std::uint64_t most, std::span<std::uint64_t> numbers) {
+  const std::size_t size = header.bytes();
   const bool is_signed = header.is_of("i");
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const std::uint64_t offset = header.data_offset + i * bytes;
-    numbers[i] = load_bytes(file, offset, bytes, header.order());
-    const bool is_negative = is_signed && (numbers[i] >> (8 * bytes - 1)) != 0;
+    numbers[i] = load_bytes(bytes, i * size, size, header.order());
+    const bool is_negative = is_signed && (numbers[i] >> (8 * size - 1)) != 0;
     if (!is_negative && numbers[i] <= most) continue;
-    return fault_at(offset, "a number of 0 to " + std::to_string(most),
+    return fault_at(header.data_offset + (first + i) * size, "a number of 0 to " + std::to_string(most),
                     is_negative ? "a negative one" : std::to_string(numbers[i]));
   }
   return {};

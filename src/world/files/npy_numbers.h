@@ -27,10 +27,11 @@ struct FaultyBox {
 std::optional<FaultyBox> load_boxes(std::span<const std::byte> numbers, const NpyHeader& header,
                                     std::span<Aabb> boxes);
 
-/// As many whole numbers, of any kind of integer or of truth values; the file is long enough. Errors:
-/// bad_input naming the byte offset of one that is negative or above `most`.
-Status load_numbers(std::span<const std::byte> file, const NpyHeader& header, std::uint64_t most,
-                    std::span<std::uint64_t> numbers);
+/// As many whole numbers, of any kind of integer or of truth values, from as many whole ones' bytes, the
+/// first of which is number `first` of the array. Errors: bad_input naming the byte offset in the array's
+/// file of one that is negative or above `most`.
+Status load_numbers(std::span<const std::byte> bytes, const NpyHeader& header, std::uint64_t first,
+                    std::uint64_t most, std::span<std::uint64_t> numbers);
 
 void append_npy_header(std::vector<std::byte>& bytes, std::string_view type,
                        std::span<const std::uint64_t> shape);

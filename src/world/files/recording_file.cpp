@@ -1,11 +1,15 @@
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "cellsweep/world/recording.h"
 #include "world/files/aabbs_file.h"
 #include "world/files/npy_file.h"
+#include "world/files/npy_numbers.h"
 #include "world/files/recorded_frames.h"
+#include "world/files/recording_writer.h"
 #include "world/files/whole_file.h"
+#include "world/recording_check.h"
 
 namespace cellsweep {
 namespace {
@@ -16,11 +20,13 @@ namespace fs = std::filesystem;
 struct Format {
   std::string_view ending;
   Result<std::vector<std::byte>> (*bytes)(const Recording&);
+  Result<std::vector<std::byte>> (*head)(const RecordingHead&);
+  void (*append)(std::vector<std::byte>&, std::span<const Aabb>);
 };
 
 constexpr std::array<Format, 2> kFormats = {{
-    {".aabbs", aabbs_bytes},
-    {".npy", npy_bytes},
+    {".aabbs", aabbs_bytes, aabbs_head, append_aabbs},
+    {".npy", npy_bytes, npy_head, append_boxes},
 }};
 
 const Format* find_format(const fs::path& path) {
@@ -54,6 +60,37 @@ Status write_recording(const Recording& recording, const std::filesystem::path& 
   const Result<std::vector<std::byte>> bytes = format->bytes(recording);
   if (!bytes) return with_path(path, bytes.status());
   return write_file(path, *bytes);
+}
+
+Status RecordingWriter::open(const std::filesystem::path& path, RecordingHead head) {
+  path_ = path;
+  head_ = std::move(head);
+  head_.frames = 1;  // until they are counted
+  const Format* format = find_format(path);
+  if (format == nullptr) return unknown_ending(path);
+  if (const auto bytes = format->head(head_); !bytes) return with_path(path, bytes.status());
+  head_.frames = 0;
+  if (Status status = file_.open(path.string()); !status.ok()) return status;
+  boxes_ = std::make_shared<ScratchFile>(path);
+  return {};
+}
+
+Status RecordingWriter::add(std::span<const Aabb> boxes) {
+  if (auto fault = find_faulty_box(boxes, head_.frames)) return with_path(path_, std::move(*fault));
+  bytes_.clear();
+  find_format(path_)->append(bytes_, boxes);
+  ++head_.frames;
+  return boxes_->append(bytes_);
+}
+
+Status RecordingWriter::commit() {
+  if (head_.bodies == 0 || head_.frames == 0) return with_path(path_, check_recording({}));
+  auto head = find_format(path_)->head(head_);
+  if (!head) return with_path(path_, head.status());
+  if (Status status = boxes_->flush(); !status.ok()) return status;
+  if (Status status = copy_to(file_, path_, HeadedBytes(std::move(*head), boxes_)); !status.ok())
+    return status;
+  return file_.commit();
 }
 
 }  // namespace cellsweep

@@ -9,6 +9,7 @@ namespace {
 struct Failure {
   std::atomic<std::uint64_t> left{0};  // calls up to the one that fails; 0: none will
   std::atomic<bool> for_ever{false};
+  std::atomic<std::uint64_t> failed{0};
 };
 
 constinit Failure failures[2];
@@ -19,11 +20,16 @@ constinit std::atomic<bool> counts{false};
 void let_fail(Scarce scarce, std::uint64_t n, Lasts lasts) {
   Failure& failure = failures[static_cast<int>(scarce)];
   failure.for_ever = lasts == Lasts::for_ever;
+  failure.failed = 0;
   failure.left = n;
 }
 
 void count_calls(bool on) {
   counts = on;
+}
+
+std::uint64_t failed_calls(Scarce scarce) {
+  return failures[static_cast<int>(scarce)].failed;
 }
 
 bool must_fail(Scarce scarce) {
@@ -32,8 +38,9 @@ bool must_fail(Scarce scarce) {
   std::uint64_t left = failure.left.load();
   while (left > 0) {
     const bool fails = left == 1;
-    if (fails && failure.for_ever) return true;
-    if (failure.left.compare_exchange_weak(left, left - 1)) return fails;
+    if (!(fails && failure.for_ever) && !failure.left.compare_exchange_weak(left, left - 1)) continue;
+    if (fails) ++failure.failed;
+    return fails;
   }
   return false;
 }

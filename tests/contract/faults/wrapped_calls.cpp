@@ -1,12 +1,12 @@
 /// @file
-/// What the linker gives this project's own objects in place of functions for memory and threads (--wrap), in
-/// builds with sanitizers: these have the C library's names for themselves.
+/// What the linker gives this project's own objects in place of the C library's functions for memory
+/// (--wrap): in builds with sanitizers, which have the C library's names for themselves, and where other
+/// libraries end the process if they get none.
 #include <pthread.h>
 #include <sys/mman.h>
 
 #include <cerrno>
 #include <cstdlib>
-#include <new>
 
 #include "contract/faults/failing_calls.h"
 
@@ -20,8 +20,6 @@ void* __real_malloc(std::size_t bytes);
 void* __real_realloc(void* memory, std::size_t bytes);
 int __real_posix_memalign(void** memory, std::size_t alignment, std::size_t bytes);
 void* __real_mmap(void* address, std::size_t bytes, int protection, int flags, int file, off_t offset);
-void* __real__Znwm(std::size_t bytes);
-void* __real__ZnwmSt11align_val_t(std::size_t bytes, std::align_val_t alignment);
 
 void* __wrap_malloc(std::size_t bytes) {
   return must_fail(Scarce::memory) ? nullptr : __real_malloc(bytes);
@@ -39,16 +37,6 @@ void* __wrap_mmap(void* address, std::size_t bytes, int protection, int flags, i
   if (!must_fail(Scarce::memory)) return __real_mmap(address, bytes, protection, flags, file, offset);
   errno = ENOMEM;
   return MAP_FAILED;
-}
-
-void* __wrap__Znwm(std::size_t bytes) {
-  if (must_fail(Scarce::memory)) throw std::bad_alloc();
-  return __real__Znwm(bytes);
-}
-
-void* __wrap__ZnwmSt11align_val_t(std::size_t bytes, std::align_val_t alignment) {
-  if (must_fail(Scarce::memory)) throw std::bad_alloc();
-  return __real__ZnwmSt11align_val_t(bytes, alignment);
 }
 // NOLINTEND
 

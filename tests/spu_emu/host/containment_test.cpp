@@ -84,6 +84,21 @@ TEST(Containment, a_time_limit_that_cannot_be_is_refused) {
                std::invalid_argument);
 }
 
+TEST(Containment, bytes_written_behind_a_block_of_the_heap_end_the_program_when_it_frees_the_block_or_exits) {
+  RogueContext context;
+  context.expect_end(Rogue::overrun_a_block, EFAULT,
+                     "behind the 28 bytes that it asked for at LS 0x");
+  context.expect_end(Rogue::overrun_a_freed_block, EFAULT, "program wrote to LS 0x");
+  const Words words;
+  context.expect_end(Rogue::overrun_a_block_by_dma, EFAULT, "behind the 112 bytes", words.words.data());
+}
+
+TEST(Containment, bytes_written_up_to_the_next_quadword_are_a_block_s_own) {
+  RogueContext context;
+  EXPECT_EQ(context.run(Rogue::overrun_a_block, reinterpret_cast<void*>(5)), 0) << last_fault(context.spe);
+  EXPECT_EQ(context.stop.result.spe_exit_code, 5);
+}
+
 // A sanitizer reports what follows itself, and ends the process.
 #ifndef SPU_EMU_SANITIZED_TESTS
 

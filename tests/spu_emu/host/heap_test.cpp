@@ -14,7 +14,7 @@ TEST(Heap, aligns_blocks_and_takes_the_lowest_place) {
   heap.reset(0x108, 0x1000);
   EXPECT_EQ(heap.allocate(1, 1), 0x110U);
   EXPECT_EQ(heap.allocate(100, 128), 0x180U);
-  EXPECT_EQ(heap.allocate(16, 16), 0x120U);
+  EXPECT_EQ(heap.allocate(16, 16), 0x130U);
   EXPECT_TRUE(heap.release(0x110));
   EXPECT_EQ(heap.allocate(16, 16), 0x110U);
   EXPECT_FALSE(heap.release(0x111));
@@ -34,6 +34,24 @@ TEST(Heap, says_when_nothing_fits_and_counts_the_high_water) {
   EXPECT_EQ(heap.free_bytes(), 1024U);
   heap.allocate(16, 16);
   EXPECT_EQ(heap.largest_free(), 1008U);
+}
+
+TEST(Heap, keeps_guards_behind_blocks_while_there_is_room) {
+  Heap heap;
+  heap.reset(0, 256);
+  EXPECT_EQ(heap.allocate(100, 16), 0U);
+  EXPECT_EQ(heap.allocate(16, 16), 128U);
+  const auto guard = heap.guard_of(0);
+  ASSERT_TRUE(guard.has_value());
+  EXPECT_EQ(guard->asked, 100U);
+  EXPECT_EQ(guard->first, 112U);
+  EXPECT_FALSE(heap.guard_of(16).has_value());
+  EXPECT_EQ(heap.guards().size(), 2U);
+  EXPECT_EQ(heap.free_bytes(), 128U);
+  EXPECT_EQ(heap.allocate(112, 16), 144U) << "the guards have given way";
+  EXPECT_TRUE(heap.guards().empty());
+  EXPECT_EQ(heap.allocate(16, 16), 112U);
+  EXPECT_EQ(heap.free_bytes(), 0U);
 }
 
 TEST(Heap, random_use_never_overlaps_and_never_loses_bytes) {

@@ -43,6 +43,20 @@ void overrun_the_heap() {
   for (unsigned int i = 0;; ++i) block[i] = 1;
 }
 
+/// As a loop over whole vectors may, which the 4 bytes behind 28 would not mind.
+volatile char* overrun_a_block(unsigned int bytes) {
+  auto* block = static_cast<volatile char*>(std::malloc(28));
+  for (unsigned int i = 0; i < bytes; ++i) block[i] = 1;
+  return block;
+}
+
+void overrun_a_block_by_dma(unsigned long long ea) {
+  auto* block = static_cast<char*>(std::malloc(112));
+  mfc_get(block, ea, 128, 3, 0, 0);
+  mfc_write_tag_mask(1U << 3);
+  mfc_read_tag_status_all();
+}
+
 void write_beyond_the_store() {
   auto* block = static_cast<char*>(std::malloc(16));
   const unsigned int ls = static_cast<unsigned int>(reinterpret_cast<unsigned long long>(block));
@@ -94,6 +108,15 @@ int main(unsigned long long, unsigned long long argp, unsigned long long envp) {
       return 1;
     case Rogue::overrun_the_heap:
       overrun_the_heap();
+      return 1;
+    case Rogue::overrun_a_block:
+      overrun_a_block(envp == 0 ? 33 : 32);
+      return static_cast<int>(envp);
+    case Rogue::overrun_a_freed_block:
+      std::free(const_cast<char*>(overrun_a_block(40)));
+      loop();
+    case Rogue::overrun_a_block_by_dma:
+      overrun_a_block_by_dma(envp);
       return 1;
     case Rogue::jump_to_null:
       reinterpret_cast<void (*)()>(nowhere)();

@@ -33,17 +33,17 @@ class FakeProgram final : public Program {
   FlatLocalStore store_{bytes_.data(), kSize, WordOrder::same};
 };
 
-LoadResult load_fake(Spe&, std::span<const std::byte>) {
+LoadResult load_fake(Spe&, const ProgramImage&) {
   return {std::make_unique<FakeProgram>(), 0, {}};
 }
-LoadResult load_nothing(Spe&, std::span<const std::byte>) {
+LoadResult load_nothing(Spe&, const ProgramImage&) {
   return {nullptr, EINVAL, "no fake"};
 }
-LoadResult load_without_memory(Spe&, std::span<const std::byte>) {
+LoadResult load_without_memory(Spe&, const ProgramImage&) {
   throw std::bad_alloc();
 }
 
-constexpr std::span<const std::byte> kImage;
+constexpr ProgramImage kImage;
 
 TEST(Spe, runs_what_its_loader_made) {
   Spe spe({}, 0, nullptr);

@@ -3,7 +3,8 @@
 #
 # usage: run.sh TESTSUITE COMPILER SPU_RUN [JOBS]
 #   TESTSUITE  GCC's gcc/testsuite folder, with gcc.c-torture/execute and gcc.target/spu in it
-# Every failure must be in known_failures.txt, with its reason, and everything in there must fail.
+# Every failure must be in known_failures.txt, with its reason, and everything in there must fail. What was compiled stays
+# beside the compiler, where that may be written to, until either changes: two thirds of the time go into it.
 set -euo pipefail
 testsuite=$(realpath "$1")
 compiler=$(realpath "$2")
@@ -19,9 +20,19 @@ list_tests() {
   (cd "$testsuite" && grep -lE 'dg-do run' gcc.target/spu/*.c)
 }
 
-export testsuite compiler spu_run work
+# keep_programs FOLDER: makes it the place for programs, and forgets those of other versions of run_some.sh.
+keep_programs() {
+  mkdir -p "$1" 2>/dev/null && [ -w "$1" ] || return 0
+  find "$(dirname "$1")" -mindepth 1 -maxdepth 1 -not -path "$1" -exec rm -rf {} +
+  programs=$1
+}
+
+programs=$work/programs
+mkdir "$programs"
+keep_programs "$(dirname "$testsuite")/torture/$(cksum <"$here/run_some.sh" | tr ' ' -)"
+
+export testsuite compiler spu_run programs
 list_tests | LC_ALL=C sort > "$work/tests"
-mkdir "$work/programs"
 xargs -a "$work/tests" -P "$jobs" -n 16 "$here/run_some.sh" > "$work/results"
 
 LC_ALL=C sort "$work/results" > "$work/sorted"

@@ -18,6 +18,16 @@ ruled_out() {
   fi
 }
 
+# compile NAME PROGRAM: unless it is there. Its errors stand in PROGRAM.errors.
+compile() {
+  [ -e "$2" ] && return 0
+  local source=$testsuite/$1 options
+  read -ra options <<< "$(options_of "$source")"
+  # What the tests take for the size of the stack where it is small.
+  if grep -q 'dg-add-options stack_size' "$source"; then options+=(-DSTACK_SIZE=65536); fi
+  (cd "$programs" && "$compiler" -O2 -w "${options[@]}" "$source" -lm -s -o "$2.new") 2> "$2.errors" && mv "$2.new" "$2"
+}
+
 for name in "$@"; do
   source=$testsuite/$name
   why=$(ruled_out "$source")
@@ -25,17 +35,13 @@ for name in "$@"; do
     echo "SKIP $name $why"
     continue
   fi
-  program=$work/programs/${name//\//_}.elf
-  read -ra options <<< "$(options_of "$source")"
-  # What the tests take for the size of the stack where it is small.
-  if grep -q 'dg-add-options stack_size' "$source"; then options+=(-DSTACK_SIZE=65536); fi
-  if ! (cd "$work/programs" && "$compiler" -O2 -w "${options[@]}" "$source" -lm -o "$(basename "$program")") \
-      2> "$program.errors"; then
+  program=$programs/${name//\//_}.elf
+  if ! compile "$name" "$program"; then
     echo "FAIL $name does not compile: $(grep -m1 -E 'error|undefined|overflow' "$program.errors")"
   elif timeout 60 "$spu_run" --max-instructions 3000000000 "$program" > /dev/null 2> "$program.errors" < /dev/null; then
     echo "PASS $name"
   else
     echo "FAIL $name exit code $?: $(grep -v '^$' "$program.errors" | head -1)"
   fi
-  rm -f "$program" "$program.errors"
+  rm -f "$program.errors" "$program.new"
 done

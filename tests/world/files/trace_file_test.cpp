@@ -116,9 +116,14 @@ std::vector<std::byte> longs(std::initializer_list<std::int64_t> numbers) {
   return npy("<i8", "(" + std::to_string(numbers.size()) + ",)", FileBytes().numbers(numbers));
 }
 
+struct Member {
+  std::string name;
+  std::vector<std::byte> bytes;
+};
+
 /// The members of the archive that NumPy makes of plain lists, one body that moves in the second frame. Tests
 /// put others in their place.
-std::vector<ZipMember> members() {
+std::vector<Member> members() {
   const FileBytes box = FileBytes().numbers({0.0, 0.0, 0.0, 1.0, 1.0, 1.0});
   return {{"inserted.npy", longs({3})},
           {"inserted_boxes.npy", npy("<f8", "(1, 6)", box)},
@@ -130,14 +135,25 @@ std::vector<ZipMember> members() {
           {"moved_ends.npy", longs({0, 1})}};
 }
 
-Result<Trace> parse(const std::vector<ZipMember>& all) {
-  return parse_npz(*zip_bytes(all));
+std::vector<std::byte> archive_of(const std::vector<Member>& all) {
+  std::vector<ZipMember> zipped;
+  for (const Member& member : all)
+    zipped.push_back({member.name, std::make_shared<BytesInMemory>(member.bytes)});
+  const auto file = std::make_shared<ScratchFile>(fs::path(testing::TempDir()) / "archive.npz");
+  EXPECT_TRUE(write_zip(zipped, file).ok());
+  std::vector<std::byte> bytes(file->size());
+  EXPECT_EQ(file->read_at(0, bytes), static_cast<std::int64_t>(bytes.size()));
+  return bytes;
+}
+
+Result<Trace> parse(const std::vector<Member>& all) {
+  return parse_npz(archive_of(all));
 }
 
 /// With one array in the place of that of the name.
 Result<Trace> parse_with(std::string_view name, std::vector<std::byte> bytes) {
-  std::vector<ZipMember> all = members();
-  for (ZipMember& member : all) {
+  std::vector<Member> all = members();
+  for (Member& member : all) {
     if (member.name == name) member.bytes = bytes;
   }
   return parse(all);
@@ -152,7 +168,7 @@ TEST_F(TraceFile, MadeOfPlainListsIsRead) {
 }
 
 TEST_F(TraceFile, ReadsFiltersOfAnyIntegers) {
-  std::vector<ZipMember> all = members();
+  std::vector<Member> all = members();
   all.push_back({"category.npy", longs({5})});
   all.push_back({"mask.npy", npy(">u4", "(1,)", FileBytes().number(std::uint32_t{0xfffffffe}, true))});
   all.push_back({"is_static.npy", npy("|b1", "(1,)", FileBytes().byte(1))});
@@ -170,12 +186,12 @@ TEST_F(TraceFile, ReadsFiltersOfAnyIntegers) {
 
 TEST_F(TraceFile, WithArraysMissingTwiceOrUnknownIsRefused) {
   for (std::size_t i = 0; i < members().size(); ++i) {
-    std::vector<ZipMember> all = members();
+    std::vector<Member> all = members();
     const std::string name = all[i].name.substr(0, all[i].name.size() - 4);
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
     EXPECT_THAT(parse(all), RefusedWith(HasSubstr("found no " + name)));
   }
-  std::vector<ZipMember> all = members();
+  std::vector<Member> all = members();
   all.push_back({"catgory.npy", longs({1})});
   EXPECT_THAT(parse(all), RefusedWith(HasSubstr("found \"catgory.npy\"")));
   all.back().name = "moved";
