@@ -1,5 +1,5 @@
-// Prints the largest errors of all functions: measure_errors DENSITY [PPU COMMAND], a row for each: its name,
-// the error on the SPU, that on the PPU or a -, and the arguments and results of both.
+// Prints the largest errors of all functions: measure_errors DENSITY [PPU COMMAND [FUNCTION]], a row for
+// each: its name, the error on the SPU, that on the PPU or a -, and the arguments and results of both.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -34,11 +34,13 @@ void print_errors(const Reference& reference, const std::string& function, int d
 int main(int count, char** arguments) {
   const int density = count > 1 ? std::atoi(arguments[1]) : 16;
   const std::string ppu = count > 2 ? arguments[2] : "";
+  const std::string only = count > 3 ? arguments[3] : "";
   const auto& names = function_names();
   for (const Reference& reference : references()) {
     for (const char* ending : {"f4", "d2"}) {
       const std::string function = reference.name + ending;
-      if (std::find(names.begin(), names.end(), function) != names.end())
+      if ((only.empty() || only == function) &&
+          std::find(names.begin(), names.end(), function) != names.end())
         print_errors(reference, function, density, ppu);
     }
   }

@@ -38,17 +38,40 @@ void sine(Number& result, const Number& x, const Number&, const Number&) {
 void cosine(Number& result, const Number& x, const Number&, const Number&) {
   mpfr_cos(result, x, kNearest);
 }
+/// Twice the bits of a double: with all of a Number's the gamma functions take minutes.
+class GammaNumber {
+ public:
+  GammaNumber() { mpfr_init2(value, 120); }
+  ~GammaNumber() { mpfr_clear(value); }
+  GammaNumber(const GammaNumber&) = delete;
+  GammaNumber& operator=(const GammaNumber&) = delete;
+  mpfr_t value;
+};
 void logarithm_of_gamma(Number& result, const Number& x, const Number&, const Number&) {
   int sign = 0;
-  mpfr_lgamma(result, &sign, x, kNearest);
+  GammaNumber narrow;
+  mpfr_lgamma(narrow.value, &sign, x, kNearest);
+  mpfr_set(result, narrow.value, kNearest);
 }
-/// Between the poles left of -2 the logarithm has zeros, where it is a difference of terms of this size.
+void gamma(Number& result, const Number& x, const Number&, const Number&) {
+  if (mpfr_cmpabs_ui(x, 500) > 0 &&
+      mpfr_integer_p(x) == 0) {  // Too large or too small, and slow to find out.
+    if (mpfr_sgn(static_cast<mpfr_srcptr>(x)) < 0) return static_cast<void>(mpfr_set_zero(result, 1));
+    return mpfr_set_inf(result, 1);
+  }
+  GammaNumber narrow;
+  mpfr_gamma(narrow.value, x, kNearest);
+  mpfr_set(result, narrow.value, kNearest);
+}
+/// Between the poles left of -2 the logarithm has zeros, where it is a difference of terms of this size, or
+/// of 1.
 void size_of_logarithm_of_gamma(Number& result, const Number& x) {
-  int sign = 0;
   mpfr_set_zero(result, 1);
   if (mpfr_sgn(static_cast<mpfr_srcptr>(x)) >= 0) return;
-  mpfr_neg(result, x, kNearest);
-  mpfr_lgamma(result, &sign, result, kNearest);
+  Number magnitude;
+  mpfr_neg(magnitude, x, kNearest);
+  logarithm_of_gamma(result, magnitude, magnitude, magnitude);
+  if (mpfr_cmp_ui(result, 1) < 0) mpfr_set_ui(result, 1, kNearest);
 }
 void fraction(Number& result, const Number& x, const Number&, const Number&) {
   mpfr_frac(result, x, kNearest);
@@ -105,7 +128,7 @@ const std::vector<Reference>& references() {
       {"sqrt", 1, unary<mpfr_sqrt>},
       {"tan", 1, unary<mpfr_tan>},
       {"tanh", 1, unary<mpfr_tanh>},
-      {"tgamma", 1, unary<mpfr_gamma>},
+      {"tgamma", 1, gamma},
       {"trunc", 1, to_whole<mpfr_trunc>},
   };
   return all;
