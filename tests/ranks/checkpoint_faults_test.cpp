@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -90,17 +91,16 @@ TEST_F(CheckpointsWithoutMemory, ArePublishedWholeOrLeaveTheOneOfBefore) {
   const std::uint64_t failures = for_each_starved_rank([&](StarvedRank& starved) {
     move_all(++frame);
     const std::string before = bytes();
-    const auto what_differs = [&] {
-      if (!on_all_ranks(bytes() == before)) return std::string("the file of before was changed");
-      return twins_.compare_pairs();
+    const std::vector<GlobalPair> pairs(twins_.world().pairs().begin(), twins_.world().pairs().end());
+    const auto is_kept = [&] {
+      return bytes() == before && std::ranges::equal(twins_.world().pairs(), pairs);
     };
     const std::string note = "frame " + std::to_string(frame) + " of a note that no string holds in itself";
     starved.call_all(
-        "save_checkpoint", [&] { return save_checkpoint(twins_.world(), path_, note); }, what_differs,
-        places());
+        "save_checkpoint", [&] { return save_checkpoint(twins_.world(), path_, note); }, is_kept, places());
     expect_written(note);
   });
-  EXPECT_GT(failures, 60U);
+  EXPECT_GT(failures, 30U);
 }
 
 TEST_F(CheckpointsWithoutMemory, AreReadByAllRanksOrByNone) {
@@ -116,13 +116,13 @@ TEST_F(CheckpointsWithoutMemory, AreReadByAllRanksOrByNone) {
           if (read) restored.emplace(std::move(*read));
           return read.status();
         },
-        [&] { return std::string(restored ? "there is a world" : ""); }, places());
+        [&] { return !restored; }, places());
     ASSERT_TRUE(on_all_ranks(restored.has_value()));
     EXPECT_EQ(restored->note, "a note that no string holds in itself");
     twins_.world() = std::move(restored->world);
     ASSERT_EQ(twins_.compare_pairs(), "");
   });
-  EXPECT_GT(failures, 60U);
+  EXPECT_GT(failures, 30U);
 }
 
 }  // namespace

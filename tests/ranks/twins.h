@@ -53,9 +53,10 @@ class Twins {
   /// What differs now.
   std::string compare(const PairChanges& truth, const RankChanges& said) const;
   std::string compare_pairs() const;
-  std::string compare_bodies() const;
 
  private:
+  std::string compare_bodies() const;
+
   Result<DistributedBroadphase> world_;
   Broadphase whole_;
 };
