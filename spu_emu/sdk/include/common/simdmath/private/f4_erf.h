@@ -20,9 +20,14 @@ SM_INLINE vec_float4 sm_ferfc_positive(vec_float4 magnitude) {
   return sm_fscale(sm_fdivide(sm_fadd(minus_one, one), sm_fmadd(SM_F4(2.0f), a, one)), power);
 }
 
-/* erf(x) for |x| up to 1. */
+/* erf(x) for |x| up to 1. The SPU's zero has no sign. */
 SM_INLINE vec_float4 sm_ferf_near(vec_float4 x) {
-  return sm_fmadd(sm_poly_erf_f4(sm_fmul(x, x)), x, x);
+  const vec_float4 result = sm_fmadd(sm_poly_erf_f4(sm_fmul(x, x)), x, x);
+#ifdef __SPU__
+  return (vec_float4)((vec_uint4)result & ~sm_fis_zero(x));
+#else
+  return result;
+#endif
 }
 
 static inline vec_float4 _erff4(vec_float4 x) {

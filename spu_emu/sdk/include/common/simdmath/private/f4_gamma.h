@@ -34,15 +34,21 @@ SM_INLINE vec_float4 sm_fmerge(vec_float4 even, vec_float4 odd) {
 }
 
 static inline vec_float4 _lgammaf4(vec_float4 x) {
-  const vec_float4 even = sm_fof_doubles(_lgammad2(sm_fto_gamma(x)));
-  const vec_float4 odd = sm_fof_doubles(_lgammad2(sm_fto_gamma(sm_fnext(x))));
-  return sm_fmerge(even, odd);
+  vec_float4 parts[2];
+  int i;
+  parts[0] = x;
+  parts[1] = sm_fnext(x);
+  for (i = 0; i < 2; ++i) parts[i] = sm_fof_doubles(_lgammad2(sm_fto_gamma(parts[i])));
+  return sm_fmerge(parts[0], parts[1]);
 }
 
 static inline vec_float4 _tgammaf4(vec_float4 x) {
-  const vec_float4 even = sm_fof_doubles(_tgammad2(sm_fto_gamma(x)));
-  const vec_float4 odd = sm_fof_doubles(_tgammad2(sm_fto_gamma(sm_fnext(x))));
-  return sm_fmerge(even, odd);
+  vec_float4 parts[2];
+  int i;
+  parts[0] = x;
+  parts[1] = sm_fnext(x);
+  for (i = 0; i < 2; ++i) parts[i] = sm_fof_doubles(_tgammad2(sm_fto_gamma(parts[i])));
+  return sm_fmerge(parts[0], parts[1]);
 }
 
 #else
