@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/float_environment.h"
 #include "base/text.h"
 #include "cellsweep/engine/engine.h"
 #include "cellsweep/ranks.h"
@@ -61,6 +62,7 @@ class [[gnu::visibility("hidden")]] DistributedBroadphase::Impl {
   /// What refuses a call here refuses the next update everywhere.
   template <class Call>
   Status local(const Call& call) {
+    const DefaultFloats floats;
     Status status = call(calls_);
     if (status.ok() || !refusal_.ok()) return status;
     Status copy = status;
@@ -292,6 +294,7 @@ void DistributedBroadphase::Impl::count(const ranks::Round& round, bool resolved
 }
 
 Result<RankChanges> DistributedBroadphase::Impl::update() {
+  const DefaultFloats floats;
   ranks::PhaseClock clock(statistics_.phases);
   std::optional<ranks::Round> round(std::in_place, job_, next_cuts_);
   bool must_resolve = false;

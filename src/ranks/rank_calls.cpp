@@ -104,7 +104,7 @@ bool RankCalls::find_all(const Region& region, std::span<const GlobalId> ids, st
     locals_[i] = local;
     const std::uint8_t flags = local == kNoLocal ? std::uint8_t{0} : held.flags(local);
     all_direct = all_direct && is_direct(flags);
-    if ((flags & kLinked) != 0 || !encloses(region, boxes[i])) apart_.push_back(i);
+    if ((flags & kLinked) != 0 || !encloses(region, canonical(boxes[i]))) apart_.push_back(i);
   }
   return all_direct;
 }
@@ -147,7 +147,7 @@ Status RankCalls::move_mixed(const Region& region, std::span<const GlobalId> ids
       staged.push_back(i);
       continue;
     }
-    if (world_.held.is(local, kLinked) || !encloses(region, boxes[i])) apart_.push_back(kept);
+    if (world_.held.is(local, kLinked) || !encloses(region, canonical(boxes[i]))) apart_.push_back(kept);
     locals_[kept++] = local;
     direct.push_back(boxes[i]);
   }

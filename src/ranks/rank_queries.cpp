@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/float_environment.h"
+
 namespace cellsweep::ranks {
 namespace {
 
@@ -208,6 +210,7 @@ Status RankQueries::answer_nearest(Questions questions, std::vector<AnswerRow>& 
 
 Status RankQueries::find_overlaps(std::span<const cellsweep::Region> regions, BatchAnswers<GlobalId>& found,
                                   const Filter& as) const {
+  const DefaultFloats floats;
   BatchAnswers<BodyId> none;
   BatchAnswers<GlobalId> all;
   const Status allowed = Job::attempt([&] { return Queries(Broadphase()).find_overlaps(regions, none); });
@@ -221,6 +224,7 @@ Status RankQueries::find_overlaps(std::span<const cellsweep::Region> regions, Ba
 
 Status RankQueries::find_touches(std::span<const Path> paths, BatchAnswers<GlobalTouch>& found,
                                  const Filter& as) const {
+  const DefaultFloats floats;
   BatchAnswers<Touch> none;
   BatchAnswers<GlobalTouch> all;
   const Status allowed = Job::attempt([&] { return Queries(Broadphase()).find_touches(paths, none); });
@@ -234,6 +238,7 @@ Status RankQueries::find_touches(std::span<const Path> paths, BatchAnswers<Globa
 
 Status RankQueries::first_touches(std::span<const Path> paths, std::span<std::optional<GlobalTouch>> first,
                                   const Filter& as) const {
+  const DefaultFloats floats;
   BatchAnswers<GlobalTouch> all;
   const Status allowed = Job::attempt([&] {
     std::vector<std::optional<Touch>> none(first.size());
@@ -253,6 +258,7 @@ Status RankQueries::first_touches(std::span<const Path> paths, std::span<std::op
 
 Status RankQueries::find_within(std::span<const cellsweep::Region> regions,
                                 BatchAnswers<GlobalNeighbor>& found, const Filter& as) const {
+  const DefaultFloats floats;
   BatchAnswers<Neighbor> none;
   const Status allowed = Job::attempt([&] { return Queries(Broadphase()).find_within(regions, none); });
   return find_nearest_within(allowed, regions, kAll, found, as);
@@ -284,6 +290,7 @@ RankQueries::QuestionsByRank RankQueries::to_homes(std::span<const Aabb> boxes, 
 // First the rank that a box begins in says how far its nearest bodies are; then all ranks that are as near.
 Status RankQueries::find_nearest(std::span<const Aabb> boxes, std::size_t count,
                                  BatchAnswers<GlobalNeighbor>& found, double most, const Filter& as) const {
+  const DefaultFloats floats;
   BatchAnswers<Neighbor> none;
   std::vector<cellsweep::Region> regions;
   const Status allowed =
