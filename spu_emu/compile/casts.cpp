@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "compile/template_parameters.h"
+
 namespace spu_emu::compile {
 
 namespace {
@@ -22,13 +24,22 @@ constexpr std::array<std::string_view, 6> kBeforeExpressions = {"return", "case"
 constexpr std::array<std::string_view, 10> kAfterParameters = {
     "const", "volatile", "noexcept", "override", "final", "throw", "__attribute__", "__asm__", "asm", "try"};
 
+/// Marks behind which an operand begins, and no declaration.
+constexpr std::array<std::string_view, 19> kBeforeOperands = {
+    "=", "(", ",", "?", "+", "-", "*", "/", "%", "|", "^", "~", "!", "&", "[", "==", "!=", "|=", "&="};
+
 constexpr std::array<std::string_view, 2> kVectorCasts = {"static_cast", "reinterpret_cast"};
 
 class Casts {
  public:
   Casts(const std::vector<Token>& tokens, const Nesting& nesting, const VectorTypes& types, Language language,
         Edits& edits)
-      : tokens_(tokens), nesting_(nesting), types_(types), language_(language), edits_(edits) {}
+      : tokens_(tokens),
+        nesting_(nesting),
+        types_(types),
+        parameters_(tokens, nesting),
+        language_(language),
+        edits_(edits) {}
 
   void edit() {
     for (std::size_t at = 0; at < tokens_.size(); ++at) {
@@ -36,6 +47,9 @@ class Casts {
         replace(at, nesting_.partner(at), type->name, operand_end(nesting_.partner(at) + 1));
       } else if (is_one_of(tokens_[at].text, kVectorCasts)) {
         edit_named_cast(at);
+      } else if (const auto named = function_style_cast_at(at)) {
+        edits_.replace(tokens_[at].begin, tokens_[named->end - 1].end(),
+                       "spu_emu::cast< " + named->name + ">");
       }
     }
   }
@@ -46,9 +60,36 @@ class Casts {
   }
   bool is_word(std::size_t at) const { return at < tokens_.size() && tokens_[at].kind == Token::Kind::word; }
 
+  /// A vector type, or one that the compiler may find to be one where it makes a function of a template.
+  std::optional<VectorType> type_at(std::size_t at) const {
+    if (auto type = types_.at(at)) return type;
+    if (text(at) == "const") return type_at(at + 1);
+    if (at < tokens_.size() && parameters_.is_one(at)) return VectorType{std::string(text(at)), at + 1};
+    if (text(at) != "typename") return std::nullopt;
+    const std::size_t end = qualified_end(text(at + 1) == "::" ? at + 2 : at + 1);
+    return VectorType{source_between(tokens_[at].begin, tokens_[end - 1].end()), end};
+  }
+
+  /// Behind `A::B<C>::D`, which begins at `at`.
+  std::size_t qualified_end(std::size_t at) const {
+    while (is_word(at)) {
+      ++at;
+      if (text(at) == "<") at = TemplateParameters::list_end(tokens_, nesting_, at) + 1;
+      if (text(at) != "::") break;
+      at += text(at + 1) == "template" ? 2 : 1;
+    }
+    return at;
+  }
+
+  /// As it stands in the source, which all tokens are parts of.
+  std::string source_between(std::size_t begin, std::size_t end) const {
+    const Token& first = tokens_.front();
+    return {first.text.data() + (begin - first.begin), end - begin};
+  }
+
   std::optional<VectorType> cast_at(std::size_t at) const {
     if (text(at) != "(" || !may_be_cast_after(at)) return std::nullopt;
-    const auto type = types_.at(at + 1);
+    const auto type = type_at(at + 1);
     if (!type || type->end != nesting_.partner(at) || !begins_operand(type->end + 1)) return std::nullopt;
     return type;
   }
@@ -73,7 +114,7 @@ class Casts {
   bool is_type_in_parentheses(std::size_t open) const {
     const std::size_t close = nesting_.partner(open);
     if (close == open || close == open + 1) return false;
-    const auto type = types_.at(open + 1);
+    const auto type = type_at(open + 1);
     if (type && (type->end == close || text(type->end) == "*")) return true;
     if (text(close - 1) == "*") return true;
     return std::all_of(tokens_.begin() + static_cast<std::ptrdiff_t>(open) + 1,
@@ -135,10 +176,30 @@ class Casts {
     }
   }
 
+  /// vec_uchar16(operand), where it can be no declaration.
+  std::optional<VectorType> function_style_cast_at(std::size_t at) const {
+    if (language_ != Language::cpp || at == 0 || !is_word(at) || text(at) == "const") return std::nullopt;
+    const Token& before = tokens_[at - 1];
+    const bool in_expression = before.text == "return" || is_one_of(before.text, kBeforeOperands);
+    if (!in_expression) return std::nullopt;
+    const auto type = type_at(at);
+    if (!type || text(type->end) != "(") return std::nullopt;
+    const std::size_t first = type->end + 1;
+    const std::size_t close = nesting_.partner(type->end);
+    if (close == first || (text(first) == "*" && first + 1 == close)) return std::nullopt;
+    // vec_uchar16(vec_uint4) is the type of a function.
+    const auto inner = type_at(first);
+    if (inner && (inner->end == close || is_word(inner->end))) return std::nullopt;
+    for (std::size_t i = first; i < close; i = std::max(i, nesting_.partner(i)) + 1) {
+      if (text(i) == ",") return std::nullopt;
+    }
+    return type;
+  }
+
   /// static_cast<vec_uchar16>(operand)
   void edit_named_cast(std::size_t at) {
     if (text(at + 1) != "<") return;
-    const auto type = types_.at(at + 2);
+    const auto type = type_at(at + 2);
     if (!type || text(type->end) != ">" || text(type->end + 1) != "(") return;
     replace(at, type->end, type->name, nesting_.partner(type->end + 1) + 1);
   }
@@ -156,6 +217,7 @@ class Casts {
   const std::vector<Token>& tokens_;
   const Nesting& nesting_;
   const VectorTypes& types_;
+  TemplateParameters parameters_;
   Language language_;
   Edits& edits_;
 };

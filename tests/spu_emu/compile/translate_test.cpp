@@ -47,6 +47,31 @@ TEST(Translate, casts_to_vectors_are_calls_that_end_with_their_operand) {
   EXPECT_EQ(translated("a = reinterpret_cast<vec_int4>(b)[0];"), "a = spu_emu::cast< vec_int4>((b))[0];");
 }
 
+TEST(Translate, casts_to_parameters_of_templates_are_those_to_what_they_stand_for) {
+  EXPECT_EQ(
+      translated("template <class V, int N> V f(int x) { return (V)x + N; } int V; int y = (V)-x;"),
+      "template <class V, int N> V f(int x) { return spu_emu::cast< V>(x) + N; } int V; int y = (V)-x;");
+  EXPECT_EQ(
+      translated(
+          "template <typename T = vec_uint4> struct A { vec_uchar16 g(T t) { return static_cast<T>(t); } };"),
+      "template <typename T = vec_uint4> struct A { vec_uchar16 g(T t) { return spu_emu::cast< T>((t)); } "
+      "};");
+  EXPECT_EQ(
+      translated("template <class T> void f(T t) { x = (typename T::wide)t; p = (T *)q; T (*h)(T); }"),
+      "template <class T> void f(T t) { x = spu_emu::cast< typename T::wide>(t); p = (T *)q; T (*h)(T); }");
+}
+
+TEST(Translate, casts_in_the_style_of_a_function_are_calls_too) {
+  EXPECT_EQ(translated("x = vec_uchar16(words) + g(vec_ushort8((vec_int4)y));"),
+            "x = spu_emu::cast< vec_uchar16>(words) + g(spu_emu::cast< vec_ushort8>(spu_emu::cast< "
+            "vec_int4>(y)));");
+  for (const char* line :
+       {"std::function<vec_uint4(vec_uchar16)> f;", "vec_uint4 (x);", "g(vec_uint4(*)(int));",
+        "x = vec_uint4();", "auto f(int) -> vec_uint4;", "x = new vec_uint4(y);"}) {
+    EXPECT_EQ(translated(line), line);
+  }
+}
+
 TEST(Translate, typedefs_of_vectors_are_followed) {
   EXPECT_EQ(translated("typedef vec_uint4 A, B; x = (B)y;"),
             "typedef vec_uint4 A, B; x = spu_emu::cast< vec_uint4>(y);");

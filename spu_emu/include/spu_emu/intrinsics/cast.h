@@ -37,7 +37,9 @@ SPU_EMU_INLINE vec_uchar16 reordered(vec_uchar16 v) {
 
 /// What a cast in a translated source calls.
 template <typename To, typename From>
-SPU_EMU_INLINE To cast(From value) {
+SPU_EMU_INLINE constexpr To cast(From value) {
+  static_assert(!std::is_reference_v<To>,
+                "a cast to a template's parameter that is a reference: name the type");
   if constexpr (detail::is_vector<To> && detail::is_vector<From>) {
     constexpr int to = detail::lane_bytes<To>;
     constexpr int from = detail::lane_bytes<From>;

@@ -21,6 +21,21 @@ static bool counts_up(V v, unsigned first) {
   return true;
 }
 
+template <class To, class From>
+static To seen_as(From from) {
+  const To same = (To)from;
+  return To(same);
+}
+template <class T>
+struct Narrow {
+  using Type = vec_ushort8;
+};
+template <class T>
+struct Holder {
+  T value;
+  vec_ushort8 halves() const { return (typename Narrow<T>::Type)value; }
+};
+
 static int sum(vec_ushort8 halves, vec_uchar16 bytes) {
   return spu_extract(halves, 1) + spu_extract(bytes, 15);
 }
@@ -43,5 +58,8 @@ int main(unsigned long long, unsigned long long, unsigned long long) {
   if (sizeof(vec_uchar16) * 2 != 32 || spu_extract((vec_int4)spu_splats(1.0F), 0) != 0x3f800000) return 12;
   if (spu_extract((vec_uchar16)si_ai((qword)words, 1), 15) != 0x10) return 13;
   const vec_uchar16 mixed = spu_shuffle((vec_uchar16)words, constant, (vec_uchar16)(vec_ushort8)words);
-  return counts_up(mixed, 0) ? 42 : 14;
+  if (!counts_up(seen_as<vec_ushort8>(words), 0) || !counts_up(seen_as<vec_double2>(constant), 16)) return 14;
+  if (seen_as<int>(3.75F) != 3 || seen_as<const unsigned char*>(&words) == nullptr) return 15;
+  if (!counts_up(Halves(words), 0) || spu_extract(Holder<vec_uint4>{words}.halves(), 7) != 0x0e0f) return 16;
+  return counts_up(mixed, 0) ? 42 : 17;
 }
