@@ -31,16 +31,14 @@ enum ExitCode { kUsage = 124, kFault = 125, kNoProgram = 126, kNoFile = 127 };
 constexpr double kMostSeconds = 365.0 * 24 * 3600;
 
 constexpr const char* kFooter =
-    "Exit codes: the program's own; 124 bad usage; 125 the program broke a rule, halted or stopped with a "
-    "code that\n"
-    "nobody here serves; 126 the file is no SPU program or does not fit; 127 the file cannot be read.\n\n"
-    "main(argc, argv) of programs linked with -mstdmain gets the arguments. main(speid, argp, envp) of "
-    "others gets in\n"
-    "argp the address of the arguments (the program's name first), each ended by a NUL, to be fetched by "
-    "DMA, and in\n"
-    "envp their size, a multiple of 16. They lie at the begin of 1 MB of zeroes that the program may read "
-    "and "
-    "write.\n\n"
+    "Exit codes: the program's own; 124 bad usage; 125 the program broke a rule,\n"
+    "halted or stopped with a code that nobody here serves; 126 the file is no SPU\n"
+    "program or does not fit; 127 the file cannot be read.\n\n"
+    "main(argc, argv) of programs linked with -mstdmain gets the arguments.\n"
+    "main(speid, argp, envp) of others gets in argp the address of the arguments\n"
+    "(the program's name first), each ended by a NUL, to be fetched by DMA, and in\n"
+    "envp their size, a multiple of 16. They lie at the begin of 1 MB of zeroes that\n"
+    "the program may read and write.\n\n"
     "Examples:\n"
     "  spu-run hello.elf\n"
     "  spu-run --stats --dma late --seed 7 kernel.elf input.txt 100\n"
@@ -72,11 +70,11 @@ void add_options(CLI::App& app, Options& options) {
   app.prefix_command();
   app.footer(kFooter);
   app.add_flag("--stats", options.statistics,
-               "Print instructions, speed and DMA counts on stderr at the end");
+               "Print instructions, speed and DMA counts on stderr\nat the end");
   app.add_option("--trace", options.trace, "Write a timeline in Chrome's JSON format")->type_name("FILE");
   app.add_flag_callback(
       "--no-files", [&options] { options.settings.library_calls = spu_emu::LibraryCallAccess::console; },
-      "Refuse to open files of this machine; printf and the standard streams still work");
+      "Refuse to open files of this machine; printf and\nthe standard streams still work");
   app.add_option("--max-instructions", options.settings.instruction_limit, "Stop after so many instructions");
   app.add_option_function<double>(
          "--timeout",
@@ -87,7 +85,7 @@ void add_options(CLI::App& app, Options& options) {
       ->check(CLI::Range(0.001, kMostSeconds).description(""))
       ->type_name("SECONDS");
   app.add_option("--dma", options.settings.dma_mode,
-                 "When bytes of a transfer move: eager, late or unchecked")
+                 "When bytes of a transfer move: eager, late or\nunchecked")
       ->transform(CLI::CheckedTransformer(modes, CLI::ignore_case).description(""))
       ->type_name("MODE")
       ->default_str("eager");
@@ -104,20 +102,20 @@ void add_debugger_options(CLI::App& app, Options& options) {
       [&options] {
         if (!options.settings.debugger) options.settings.debugger.emplace();
       },
-      "Stop at the first instruction and ask for commands; help teaches them");
+      "Stop at the first instruction and ask for\ncommands; help teaches them");
   app.add_option_function<std::string>(
          "--debug-commands", [&options](const std::string& file) { options.settings.debugger = {file}; },
-         "Take the debugger's commands from a file, one a line, and then run on")
+         "Take the debugger's commands from a file, one a\nline, and then run on")
       ->type_name("FILE");
   app.add_flag("--list-lines", options.list_lines,
-               "Print which line of source each instruction comes from (needs -g), and end");
+               "Print which line of source each instruction comes\nfrom (needs -g), and end");
 }
 
 void add_cycle_options(CLI::App& app, Options& options) {
   app.add_flag("--cycles", options.cycles,
-               "Print on stderr what the program would take on a Cell, in all and by function");
+               "Print on stderr what the program would take on a\nCell, in all and by function");
   app.add_option("--cycle-parameter", options.cycle_parameters,
-                 "Change a number of the cycle model; may be repeated")
+                 "Change a number of the cycle model; may be\nrepeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false)
       ->take_all();
@@ -127,7 +125,7 @@ void add_cycle_options(CLI::App& app, Options& options) {
         std::fputs(spu_emu::cycle_parameter_table({}).c_str(), stdout);
         throw CLI::Success();
       },
-      "Print the numbers of the cycle model, what they mean and where they come from, and end");
+      "Print the numbers of the cycle model, what they\nmean and where they come from, and end");
 }
 
 /// A change of a number asks for the count, too.
