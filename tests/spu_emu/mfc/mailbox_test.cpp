@@ -89,7 +89,8 @@ TEST(Signal, a_read_clears_and_the_next_one_blocks) {
   EXPECT_EQ(spu.channels.read(SPU_RdSigNotify1), 3U);
   EXPECT_EQ(spu.channels.count(SPU_RdSigNotify1), 0U);
   std::thread host([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    // The read says that it waits before it does.
+    while (spu.channels.counters().signal_waits.value() == 0) std::this_thread::yield();
     spu.channels.signal(0, 8);
   });
   EXPECT_EQ(spu.channels.read(SPU_RdSigNotify1), 8U);
