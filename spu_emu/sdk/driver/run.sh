@@ -91,11 +91,13 @@ check_debug() {
   esac
 }
 
-# debug SPE COMMANDS: adds to `emulator` what the library reads. It has no libdw on that side: lines come from spu-run.
+# debug SPES COMMANDS: what the library reads, by the environment, as qemu's -E would part it at commas. It has no libdw on
+# that side: lines come from spu-run.
 debug() {
   [ -n "$1" ] || return 0
-  emulator+=(-E "SPU_EMU_DEBUG=$1" -E "SPU_EMU_LINE_READER=$(printf %q "$sdk/bin/spu-run") --list-lines")
-  [ -z "$2" ] || emulator+=(-E "SPU_EMU_DEBUG_COMMANDS=$2")
+  export SPU_EMU_DEBUG=$1 SPU_EMU_DEBUG_COMMANDS=$2
+  SPU_EMU_LINE_READER="$(printf %q "$sdk/bin/spu-run") --list-lines"
+  export SPU_EMU_LINE_READER
 }
 
 # run_in_time SECONDS PROGRAM ARGUMENT...: the library ends the process and says who waits for what; one that does not use
