@@ -67,7 +67,9 @@ VariableValue followed(const Session& session, const VariableValue& pointer) {
   const VariableType& type = session.variables.types[pointer.type];
   if (type.kind == TypeKind::array) return {type.target, pointer.in_register, pointer.at, pointer.offset};
   if (type.kind != TypeKind::pointer) throw CommandError("Only a pointer or an array can be followed.");
-  return {type.target, false, read_word(value_bytes(session, pointer).data()), 0};
+  const std::vector<std::byte> bytes = value_bytes(session, pointer);
+  if (bytes.size() != sizeof(std::uint32_t)) throw CommandError("This pointer has not the size of one.");
+  return {type.target, false, read_word(bytes.data()), 0};
 }
 
 VariableValue member_of(const Session& session, const VariableValue& value, std::string_view name) {
@@ -116,6 +118,7 @@ std::uint64_t whole(Bytes bytes) {
   return value;
 }
 std::int64_t signed_whole(Bytes bytes) {
+  if (bytes.empty()) return 0;
   const auto unused = static_cast<unsigned>(64 - 8 * std::min<std::size_t>(bytes.size(), 8));
   return static_cast<std::int64_t>(whole(bytes) << unused) >> unused;
 }
@@ -174,8 +177,9 @@ class ValueWriter {
     if (element.kind == TypeKind::character) return string(bytes);
     std::string all;
     for (std::uint32_t i = 0; i < std::min(type.count, kMostShown); ++i) {
-      all +=
-          (i == 0 ? "" : ", ") + text(type.target, bytes.subspan(std::size_t{i} * element.size), depth + 1);
+      const std::size_t at = std::size_t{i} * element.size;
+      if (at > bytes.size()) return "...";
+      all += (i == 0 ? "" : ", ") + text(type.target, bytes.subspan(at), depth + 1);
     }
     return "{" + all + (type.count > kMostShown ? ", ...}" : "}");
   }
