@@ -232,6 +232,7 @@ int list_lines(const std::string& name) {
   const spu_emu::isa::DwarfLines dwarf = spu_emu::isa::read_dwarf_lines(std::as_bytes(std::span(file)));
   if (!dwarf.missing.empty()) throw Failure(kNoProgram, name + ": " + dwarf.missing);
   std::fputs(spu_emu::isa::line_table_text(dwarf.lines).c_str(), stdout);
+  std::fputs(spu_emu::isa::variable_table_text(dwarf.variables).c_str(), stdout);
   return 0;
 }
 

@@ -125,6 +125,10 @@ void Breakpoints::expect(std::uint32_t pc, std::uint32_t word, const Machine& ma
   for (Breakpoint& each : all_) meets_store(each, *store, unsaid);
 }
 
+void Breakpoints::accept_changes() {
+  for (Breakpoint& each : all_) each.known = read_store(store_, each.first, each.size);
+}
+
 std::vector<std::string> Breakpoints::changed_by(const char* who) {
   std::vector<std::string> met;
   for (Breakpoint& each : all_) {

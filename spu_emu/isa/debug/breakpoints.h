@@ -60,6 +60,8 @@ class Breakpoints {
   void expect(std::uint32_t pc, std::uint32_t word, const Machine& machine);
   /// The same for watched bytes that somebody else has changed since the last look; `who` in words.
   std::vector<std::string> changed_by(const char* who);
+  /// What watched bytes are now is no change: the debugger itself has made it.
+  void accept_changes();
 
  private:
   bool meets_store(Breakpoint& breakpoint, const StoreEffect& store, std::string& what);

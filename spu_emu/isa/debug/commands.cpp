@@ -16,7 +16,7 @@ constexpr DebuggerCommand kHelp[] = {
     {"help", "h", "[COMMAND]", "This list, or all about one command, with examples", "", help}};
 
 std::vector<std::span<const DebuggerCommand>> groups() {
-  return {run_commands(), stop_commands(), look_commands(), kHelp};
+  return {run_commands(), stop_commands(), look_commands(), change_commands(), kHelp};
 }
 
 Words split(std::string_view line) {
@@ -61,7 +61,7 @@ std::string command_line(const DebuggerCommand& command) {
 }
 
 std::string all_commands() {
-  constexpr const char* kTitles[] = {"Run:", "Stop:", "Look:", "Learn:"};
+  constexpr const char* kTitles[] = {"Run:", "Stop:", "Look:", "Variables and changes:", "Learn:"};
   std::string text = "The SPU stands still while you type; the host program and other SPEs go on.\n";
   std::size_t group_number = 0;
   for (const auto group : groups()) {

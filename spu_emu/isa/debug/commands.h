@@ -29,6 +29,7 @@ struct DebuggerCommand {
 std::span<const DebuggerCommand> run_commands();
 std::span<const DebuggerCommand> stop_commands();
 std::span<const DebuggerCommand> look_commands();
+std::span<const DebuggerCommand> change_commands();
 
 /// Does what a line says: a command's name, its short name, or so much of its name that no other begins so.
 /// What is wrong with it comes back as text, too.

@@ -21,15 +21,20 @@ std::mutex& prompt_mutex() {
   return mutex;
 }
 
-Session make_session(Spe& spe, Machine& machine, const std::byte* store, std::vector<ElfSymbol> symbols,
+Session make_session(Spe& spe, Machine& machine, std::byte* store, std::vector<ElfSymbol> symbols,
                      std::span<const std::byte> elf_file) {
   DwarfLines dwarf = read_lines(elf_file);
-  return {spe, machine, store, CodeMap(std::move(symbols), std::move(dwarf.lines)), std::move(dwarf.missing)};
+  return {spe,
+          machine,
+          store,
+          CodeMap(std::move(symbols), std::move(dwarf.lines)),
+          std::move(dwarf.missing),
+          std::move(dwarf.variables)};
 }
 
 }  // namespace
 
-Debugger::Debugger(Spe& spe, Machine& machine, const std::byte* store, const std::string& commands,
+Debugger::Debugger(Spe& spe, Machine& machine, std::byte* store, const std::string& commands,
                    std::vector<ElfSymbol> symbols, std::span<const std::byte> elf_file)
     : session_(make_session(spe, machine, store, std::move(symbols), elf_file)),
       console_(commands),

@@ -23,7 +23,7 @@ class Debugger final : private InstructionTraps, private WaitListener {
  public:
   /// `commands` is a file, or empty for standard input. `elf_file` is read here and now. Throws
   /// std::runtime_error when the commands cannot be read.
-  Debugger(Spe& spe, Machine& machine, const std::byte* store, const std::string& commands,
+  Debugger(Spe& spe, Machine& machine, std::byte* store, const std::string& commands,
            std::vector<ElfSymbol> symbols, std::span<const std::byte> elf_file);
   ~Debugger();
 

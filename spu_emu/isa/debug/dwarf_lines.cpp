@@ -1,33 +1,16 @@
 #include "isa/debug/dwarf_lines.h"
 
 #include <dlfcn.h>
-#include <elfutils/libdw.h>
 
 #include <map>
 #include <memory>
 #include <vector>
 
+#include "isa/debug/dwarf_variables.h"
+
 namespace spu_emu::isa {
 
 namespace {
-
-/// The functions of libdw and libelf that are called here.
-struct Libdw {
-  decltype(&::elf_version) elf_version;
-  decltype(&::elf_memory) elf_memory;
-  decltype(&::elf_end) elf_end;
-  decltype(&::dwarf_begin_elf) dwarf_begin_elf;
-  decltype(&::dwarf_end) dwarf_end;
-  decltype(&::dwarf_nextcu) dwarf_nextcu;
-  decltype(&::dwarf_offdie) dwarf_offdie;
-  decltype(&::dwarf_getsrclines) dwarf_getsrclines;
-  decltype(&::dwarf_onesrcline) dwarf_onesrcline;
-  decltype(&::dwarf_lineaddr) dwarf_lineaddr;
-  decltype(&::dwarf_lineno) dwarf_lineno;
-  decltype(&::dwarf_linesrc) dwarf_linesrc;
-  decltype(&::dwarf_linebeginstatement) dwarf_linebeginstatement;
-  decltype(&::dwarf_lineendsequence) dwarf_lineendsequence;
-};
 
 template <class Function>
 bool find(void* library, const char* name, Function& function) {
@@ -40,18 +23,9 @@ const Libdw* find_libdw() {
   static Libdw dw{};
   static const bool found = [] {
     void* library = dlopen("libdw.so.1", RTLD_NOW | RTLD_LOCAL);
-    return library != nullptr && find(library, "elf_version", dw.elf_version) &&
-           find(library, "elf_memory", dw.elf_memory) && find(library, "elf_end", dw.elf_end) &&
-           find(library, "dwarf_begin_elf", dw.dwarf_begin_elf) && find(library, "dwarf_end", dw.dwarf_end) &&
-           find(library, "dwarf_nextcu", dw.dwarf_nextcu) && find(library, "dwarf_offdie", dw.dwarf_offdie) &&
-           find(library, "dwarf_getsrclines", dw.dwarf_getsrclines) &&
-           find(library, "dwarf_onesrcline", dw.dwarf_onesrcline) &&
-           find(library, "dwarf_lineaddr", dw.dwarf_lineaddr) &&
-           find(library, "dwarf_lineno", dw.dwarf_lineno) &&
-           find(library, "dwarf_linesrc", dw.dwarf_linesrc) &&
-           find(library, "dwarf_linebeginstatement", dw.dwarf_linebeginstatement) &&
-           find(library, "dwarf_lineendsequence", dw.dwarf_lineendsequence) &&
-           dw.elf_version(EV_CURRENT) != EV_NONE;
+#define SPU_EMU_FIND(name) &&find(library, #name, dw.name)
+    return library != nullptr SPU_EMU_LIBDW_FUNCTIONS(SPU_EMU_FIND) && dw.elf_version(EV_CURRENT) != EV_NONE;
+#undef SPU_EMU_FIND
   }();
   return found ? &dw : nullptr;
 }
@@ -108,25 +82,26 @@ class Reader {
   std::vector<LineRow> rows_;
 };
 
-SourceLines read_lines(const Libdw& dw, std::vector<char>& file) {
+DwarfLines read_tables(const Libdw& dw, std::vector<char>& file) {
   const std::unique_ptr<Elf, decltype(dw.elf_end)> elf(dw.elf_memory(file.data(), file.size()), dw.elf_end);
   if (!elf) return {};
   const std::unique_ptr<Dwarf, decltype(dw.dwarf_end)> dwarf(
       dw.dwarf_begin_elf(elf.get(), DWARF_C_READ, nullptr), dw.dwarf_end);
-  return dwarf ? Reader(dw).read(dwarf.get()) : SourceLines();
+  if (!dwarf) return {};
+  return {Reader(dw).read(dwarf.get()), read_variables(dw, dwarf.get()), {}};
 }
 
 }  // namespace
 
 DwarfLines read_dwarf_lines(std::span<const std::byte> elf_file) {
   const Libdw* dw = find_libdw();
-  if (dw == nullptr) return {{}, "Source lines are not known: libdw is not installed (Debian: libdw1)."};
+  if (dw == nullptr) return {{}, {}, "Source lines are not known: libdw is not installed (Debian: libdw1)."};
   // libdw wants bytes that it may change.
   const auto* first = reinterpret_cast<const char*>(elf_file.data());
   std::vector<char> file(first, first + elf_file.size());
-  SourceLines lines = read_lines(*dw, file);
-  if (!lines.empty()) return {std::move(lines), {}};
-  return {{}, "Source lines are not known: the program was compiled without -g."};
+  DwarfLines tables = read_tables(*dw, file);
+  if (!tables.lines.empty()) return tables;
+  return {{}, {}, "Source lines are not known: the program was compiled without -g."};
 }
 
 }  // namespace spu_emu::isa

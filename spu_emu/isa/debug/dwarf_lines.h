@@ -1,5 +1,5 @@
 /// @file
-/// The table of source lines in the debug information of an SPU ELF file.
+/// The tables of source lines and variables in the debug information of an SPU ELF file.
 #ifndef SPU_EMU_ISA_DEBUG_DWARF_LINES_H
 #define SPU_EMU_ISA_DEBUG_DWARF_LINES_H
 
@@ -8,16 +8,18 @@
 #include <string>
 
 #include "isa/debug/source_lines.h"
+#include "isa/debug/variables.h"
 
 namespace spu_emu::isa {
 
-/// The table, or one sentence that says why there is none.
+/// The tables, or one sentence that says why there are none.
 struct DwarfLines {
   SourceLines lines;
+  Variables variables;
   std::string missing;
 };
 
-/// Reads it by elfutils' libdw, which is looked for now: who never debugs does not need it.
+/// Reads them by elfutils' libdw, which is looked for now: who never debugs does not need it.
 DwarfLines read_dwarf_lines(std::span<const std::byte> elf_file);
 
 }  // namespace spu_emu::isa

@@ -56,9 +56,11 @@ DwarfLines read_lines(std::span<const std::byte> elf_file) {
   const char* reader = std::getenv("SPU_EMU_LINE_READER");
   if (here.missing.empty() || reader == nullptr || *reader == '\0') return here;
   const TemporaryFile file(elf_file);
-  std::istringstream table(output_of(std::string(reader) + " " + file.name()));
+  const std::string text = output_of(std::string(reader) + " " + file.name());
+  std::istringstream table(text);
+  std::istringstream again(text);
   SourceLines lines = read_line_table(table);
-  if (!lines.empty()) return {std::move(lines), {}};
+  if (!lines.empty()) return {std::move(lines), read_variable_table(again), {}};
   return here;
 }
 

@@ -11,6 +11,7 @@
 #include "isa/debug/call_stack.h"
 #include "isa/debug/code_map.h"
 #include "isa/debug/run_plan.h"
+#include "isa/debug/variables.h"
 #include "spe/spe.h"
 
 namespace spu_emu::isa {
@@ -19,10 +20,11 @@ namespace spu_emu::isa {
 struct Session {
   Spe& spe;
   Machine& machine;
-  const std::byte* store;
+  std::byte* store;
   CodeMap map;
   /// Why no source lines are known; empty when they are.
   std::string no_lines;
+  Variables variables{};
   Breakpoints breakpoints{store};
 
   // What the commands have asked for.

@@ -11,10 +11,12 @@ Its exit code is the program's.
                      124, and say which SPE waits for what
   --debug SPE        stop before this SPE's first instruction and ask; 0 is the
                      first SPE that the program makes. `help` there lists the
-                     commands. SPU programs compiled with -g show their lines
+                     commands. SPU programs compiled with -g show their lines.
+                     Several: 0,2 or all; each asks with its own prompt
   --debug-commands FILE
                      take the debugger's commands from the file, one a line; at
-                     its end the SPE runs on
+                     its end the SPE runs on. A % in the name stands for the
+                     number of the SPE
   --help
 
 Exit codes of cellrun itself: 124 out of time, 125 bad usage, 126 no program of
@@ -73,19 +75,29 @@ emulator_of() {
 
 # check_debug SPE COMMANDS: what the debugger was asked for, before anything runs.
 check_debug() {
-  if [ -n "$1" ] && ! [[ $1 =~ ^[0-9]{1,4}$ ]]; then
-    refuse 125 "--debug: $1 is no number of an SPE; 0 is the first that the program makes"
+  local number
+  if [ -n "$1" ] && ! [[ $1 =~ ^(all|[0-9]{1,4}(,[0-9]{1,4})*)$ ]]; then
+    refuse 125 "--debug: $1 is no number of an SPE; 0 is the first that the program makes. Several: 0,2 or all"
   fi
   [ -n "$2" ] || return 0
   [ -n "$1" ] || refuse 125 "--debug-commands wants --debug SPE as well, the SPE that they are for"
-  [ -f "$2" ] && [ -r "$2" ] || refuse 127 "--debug-commands: $2 is not there or cannot be read"
+  # Of a file for each SPE only those that are named can be looked for.
+  case $1/$2 in
+    all/*%*) ;;
+    *) for number in ${1//,/ }; do
+        [ -f "${2/\%/$number}" ] && [ -r "${2/\%/$number}" ] ||
+          refuse 127 "--debug-commands: ${2/\%/$number} is not there or cannot be read"
+      done ;;
+  esac
 }
 
-# debug SPE COMMANDS: adds to `emulator` what the library reads. It has no libdw on that side: lines come from spu-run.
+# debug SPES COMMANDS: what the library reads, by the environment, as qemu's -E would part it at commas. It has no libdw on
+# that side: lines come from spu-run.
 debug() {
   [ -n "$1" ] || return 0
-  emulator+=(-E "SPU_EMU_DEBUG=$((10#$1))" -E "SPU_EMU_LINE_READER=$(printf %q "$sdk/bin/spu-run") --list-lines")
-  [ -z "$2" ] || emulator+=(-E "SPU_EMU_DEBUG_COMMANDS=$2")
+  export SPU_EMU_DEBUG=$1 SPU_EMU_DEBUG_COMMANDS=$2
+  SPU_EMU_LINE_READER="$(printf %q "$sdk/bin/spu-run") --list-lines"
+  export SPU_EMU_LINE_READER
 }
 
 # run_in_time SECONDS PROGRAM ARGUMENT...: the library ends the process and says who waits for what; one that does not use

@@ -54,10 +54,11 @@ void logarithm_of_gamma(Number& result, const Number& x, const Number&, const Nu
   mpfr_set(result, narrow.value, kNearest);
 }
 void gamma(Number& result, const Number& x, const Number&, const Number&) {
-  if (mpfr_cmpabs_ui(x, 500) > 0 &&
-      mpfr_integer_p(x) == 0) {  // Too large or too small, and slow to find out.
-    if (mpfr_sgn(static_cast<mpfr_srcptr>(x)) < 0) return static_cast<void>(mpfr_set_zero(result, 1));
-    return mpfr_set_inf(result, 1);
+  const bool is_fraction = mpfr_number_p(x) != 0 && mpfr_integer_p(x) == 0;
+  if (is_fraction && mpfr_cmpabs_ui(x, 500) > 0) {
+    // Too large or too small, and slow to find out.
+    if (mpfr_sgn(static_cast<mpfr_srcptr>(x)) > 0) return mpfr_set_inf(result, 1);
+    return static_cast<void>(mpfr_set_zero(result, 1));
   }
   GammaNumber narrow;
   mpfr_gamma(narrow.value, x, kNearest);

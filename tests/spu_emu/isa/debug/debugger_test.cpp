@@ -404,6 +404,53 @@ TEST(Debugger, does_not_count_its_own_time_as_the_programs) {
   expect_in(text, "still waits when its time is over: read in mailbox");
 }
 
+TEST(Debugger, sets_registers_and_memory_as_elements_of_any_width) {
+  const std::string text = output_of(
+      calls(),
+      "set $3 float4 1.5 -2\nregisters float4 3\nset $3 9\nregisters int4 3\nset $4 data+8\nregisters 4\n"
+      "set data short8 -1 2 3\nset data+12 0xffffffff\nmemory data 16\nset $5 double2 0.5 -4\nregisters "
+      "double2 5\n");
+  expect_in(text, "r3               1.5              -2 ");
+  expect_in(text, "r3             9 -1073741824 ");
+  expect_in(text, "r4   00000408 ");
+  expect_in(text, "0x00400  ffff0002 00030002 00000003 ffffffff");
+  expect_in(text, "0.5                       -4\n");
+}
+
+TEST(Debugger, changes_nothing_where_a_value_cannot_be_set) {
+  const std::string text = output_of(
+      calls(),
+      "set\nset $90\nset $90 int4\nset $90 short8 1 32768 65536\nset $90 char16 -129\nset $90 float4 x\nset $128 "
+      "1\n"
+      "set $90 1 2 3 4 5\nset 0x3fffc 1 2\nset pc 0x80\nset $90 nothing\nregisters 90\nmemory 0x3fff0 16\n");
+  expect_in(text, "Set what to what? It is: set WHAT [FORMAT] VALUE...\n");
+  expect_in(text, "There is no value");
+  expect_in(text, "\"65536\" does not fit into 16 bits.");
+  expect_in(text, "\"-129\" does not fit into 8 bits.");
+  expect_in(text, "\"x\" is no number.");
+  expect_in(text, "There is no register 128");
+  expect_in(text, "A register has 16 bytes");
+  expect_in(text, "8 bytes at 0x3fffc end at 0x40004");
+  expect_in(text, "is not set by a command");
+  expect_in(text, "There is no symbol \"nothing\"");
+  expect_in(text, "r90  00000000 00000000 00000000 00000000\n");
+  expect_in(text, "0x3fff0  00000000 00000000 00000000 00000000");
+}
+
+TEST(Debugger, what_it_sets_is_no_change_that_a_watchpoint_tells_and_is_executed_as_code) {
+  const std::string text = output_of(
+      calls(),
+      "watch data 4\nset data 77\nset begin+4 0x40800383\nstepi 2\nregisters int4 3\nmemory data 4 int4\n"
+      "set begin+4 0x4200007f\ncontinue\ndelete\ncontinue\n");
+  expect_not_in(text, "changed");
+  expect_in(text, "r3             7           7");
+  expect_in(text, "0x00400           77\n");
+}
+
+TEST(Debugger, without_debug_information_variables_are_not_known_and_it_is_said_why) {
+  expect_in(output_of(calls(), "print data\nprint\n"), "Variables are not known: ");
+}
+
 TEST(Debugger, says_what_commands_were_left_when_the_program_ended) {
   expect_in(output_of(calls(), "continue\nwhere\n# a comment\n\nqueue\n"), "2 commands were not used\n");
 }
@@ -432,6 +479,34 @@ TEST(Debugger, of_a_number_in_the_environment_is_that_spes_alone) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(chosen.run(), 0);
   expect_in(testing::internal::GetCapturedStderr(), "registers 3\nr3 ");
+}
+
+TEST(Debugger, of_several_spes_has_a_prompt_and_a_file_for_each) {
+  const CommandFile commands("registers 3\n");
+  setenv("SPU_EMU_DEBUG", "all", 1);
+  setenv("SPU_EMU_DEBUG_COMMANDS", commands.name.c_str(), 1);
+  IsaContext probe(Code{kEnd});
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(probe.run(), 0);
+  const std::string spoken = testing::internal::GetCapturedStderr();
+  const unsigned number = static_cast<unsigned>(std::stoul(spoken.substr(spoken.find("(spu ") + 5)));
+  const std::string folder = testing::TempDir() + "spu_emu_stops_" + std::to_string(getpid()) + ".";
+  for (const unsigned each : {number + 1, number + 3})
+    std::ofstream(folder + std::to_string(each)) << "registers " << each % 100 << "\n";
+  setenv("SPU_EMU_DEBUG", (std::to_string(number + 1) + "," + std::to_string(number + 3)).c_str(), 1);
+  setenv("SPU_EMU_DEBUG_COMMANDS", (folder + "%").c_str(), 1);
+  for (unsigned each = number + 1; each <= number + 3; ++each) {
+    IsaContext context(Code{kEnd});
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(context.run(), 0);
+    const std::string said = testing::internal::GetCapturedStderr();
+    const std::string prompt =
+        "(spu " + std::to_string(each) + ") registers " + std::to_string(each % 100) + "\n";
+    EXPECT_EQ(said.find(prompt) != std::string::npos, each != number + 2) << said;
+    std::remove((folder + std::to_string(each)).c_str());
+  }
+  unsetenv("SPU_EMU_DEBUG");
+  unsetenv("SPU_EMU_DEBUG_COMMANDS");
 }
 
 TEST(Debugger, is_refused_in_words_where_its_settings_are_wrong) {
