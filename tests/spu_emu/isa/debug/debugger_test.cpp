@@ -420,7 +420,8 @@ TEST(Debugger, sets_registers_and_memory_as_elements_of_any_width) {
 TEST(Debugger, changes_nothing_where_a_value_cannot_be_set) {
   const std::string text = output_of(
       calls(),
-      "set\nset $90\nset $90 int4\nset $90 short8 1 32768 65536\nset $90 char16 -129\nset $90 float4 x\nset $128 "
+      "set\nset $90\nset $90 int4\nset $90 short8 1 32768 65536\nset $90 char16 -129\nset $90 float4 x\nset "
+      "$128 "
       "1\n"
       "set $90 1 2 3 4 5\nset 0x3fffc 1 2\nset pc 0x80\nset $90 nothing\nregisters 90\nmemory 0x3fff0 16\n");
   expect_in(text, "Set what to what? It is: set WHAT [FORMAT] VALUE...\n");

@@ -1,4 +1,4 @@
-// A program for the debugger: variables of every kind, in structures and arrays, behind pointers and in blocks.
+// A program for the debugger: variables of every kind, in structures, arrays and blocks, behind pointers.
 #include <spu_intrinsics.h>
 
 enum colour { red, green = 5, blue };
@@ -6,8 +6,8 @@ enum colour { red, green = 5, blue };
 struct item {
   short weight;
   enum colour colour;
-  const char *name;
-  struct item *next;
+  const char* name;
+  struct item* next;
 };
 
 static struct item second = {-7, blue, "second", 0};
@@ -17,7 +17,7 @@ static vec_float4 direction = {1, 2, -3, 0.25f};
 static char text[8] = "scale";
 unsigned long long large = 1ULL << 40;
 
-__attribute__((noinline)) int weigh(struct item *list, unsigned char limit) {
+__attribute__((noinline)) int weigh(struct item* list, unsigned char limit) {
   int sum = 0;
   while (list) {
     int weight = list->weight;
