@@ -4,6 +4,7 @@
 
 #include "compile/casts.h"
 #include "compile/edits.h"
+#include "compile/local_variables.h"
 #include "compile/main_function.h"
 #include "compile/nesting.h"
 #include "compile/tokens.h"
@@ -66,6 +67,7 @@ std::string translate(std::string_view source, Language language) {
   const Nesting nesting(tokens);
   const VectorTypes types(tokens);
   Edits edits;
+  align_local_variables(tokens, edits);
   if (language == Language::c) edit_arguments(tokens, nesting, edits);
   edit_casts(tokens, nesting, types, language, edits);
   edit_main(tokens, nesting, language, source.size(), edits);

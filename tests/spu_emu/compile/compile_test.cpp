@@ -7,7 +7,7 @@
 #define SPU_EMU_PROGRAMS(use)                                                                                \
   use(compiled_old_style) use(compiled_keyword) use(compiled_casts) use(compiled_main_without_parameters)    \
       use(compiled_main_of_two) use(compiled_main_of_union) use(compiled_main_void) use(compiled_huge_value) \
-          use(compiled_huge_value_c)
+          use(compiled_huge_value_c) use(compiled_local_scalars)
 
 #define SPU_EMU_DECLARE(name) extern "C" spe_program_handle_t name;
 SPU_EMU_PROGRAMS(SPU_EMU_DECLARE)
@@ -51,6 +51,11 @@ TEST(Compile, c_of_before_1989_with_intrinsics_and_dma_to_a_scalar) {
   EXPECT_EQ(outcome.message, 0x1234U);
 }
 
+TEST(Compile, scalars_of_functions_are_buffers_of_transfers) {
+  alignas(16) const unsigned int word = 0x1234;
+  EXPECT_EQ(run(compiled_local_scalars, &word).exit_code, 42);
+}
+
 TEST(Compile, vector_is_a_keyword_before_built_in_types_and_a_name_elsewhere) {
   EXPECT_EQ(run(compiled_keyword).exit_code, 5);
 }
@@ -87,6 +92,7 @@ TEST(Compile, the_same_sources_give_the_same_as_real_spu_code) {
   EXPECT_EQ(run(compiled_keyword_elf).exit_code, 5);
   alignas(16) const unsigned int word = 0x1234;
   EXPECT_EQ(run(compiled_old_style_elf, &word).exit_code, 42);
+  EXPECT_EQ(run(compiled_local_scalars_elf, &word).exit_code, 42);
   EXPECT_EQ(run(compiled_main_without_parameters_elf).message, 40U);
   EXPECT_EQ(run(compiled_huge_value_elf).exit_code, 42);
   EXPECT_EQ(run(compiled_huge_value_c_elf).exit_code, 42);

@@ -35,6 +35,41 @@ TEST(Translate, a_source_without_the_sdk_has_the_attribute) {
   EXPECT_EQ(translate("__vector float f;", Language::c), " float __attribute__((__vector_size__(16))) f;");
 }
 
+/// What the attribute is put before, which stands for it.
+std::string with_marks(std::string source) {
+  const std::string attribute = "__attribute__((aligned(16))) ";
+  source = translated(source);
+  for (std::size_t at = source.find(attribute); at != std::string::npos; at = source.find(attribute))
+    source.replace(at, attribute.size(), "@");
+  return source;
+}
+
+TEST(Translate, variables_of_functions_lie_at_multiples_of_16) {
+  EXPECT_EQ(with_marks("int f(int a) { unsigned int b = a; char c, d[3]; float *e; return b; }"),
+            "int f(int a) { @unsigned int b = a; @char c, d[3]; @float *e; return b; }");
+  EXPECT_EQ(
+      with_marks("void f() { const volatile long long a = 1; uint32_t b; struct block c = {1}; T d[4]; }"),
+      "void f() { @const volatile long long a = 1; @uint32_t b; @struct block c = {1}; @T d[4]; }");
+  EXPECT_EQ(with_marks("f(a) int a; { int b; for (;;) { int c; } if (a) { int d; } else { int e; } }"),
+            "f(a) int a; { @int b; for (;;) { @int c; } if (a) { @int d; } else { @int e; } }");
+  EXPECT_EQ(with_marks("struct S { int a; int g() const { int b; return b; } }; auto h = [] { int c; };"),
+            "struct S { int a; int g() const { @int b; return b; } }; auto h = [] { @int c; };");
+  EXPECT_EQ(with_marks("void f() { switch (a) { case 1: { int b; } } x = ({ int c; c; }); }"),
+            "void f() { switch (a) { case 1: { @int b; } } x = ({ @int c; c; }); }");
+}
+
+TEST(Translate, what_is_no_variable_of_a_function_stays_where_it_is) {
+  for (const char* line :
+       {"int a; struct S { int b; unsigned c : 3; }; enum E { d, e }; int f[] = {1, 2};",
+        "void f() { return a; goto b; delete c; throw d; case E: break; else g = h; }",
+        "void f() { static int a; extern int b; register int c; typedef int d; int e(int); }",
+        "void f() { struct S { int a; } b; x = (struct S){int(a)}; y = sizeof(int); }",
+        "void f() { g(int(a)); a = b; a(b); a * b; std::vector<int> c; for (int d = 0; d < 1; ++d) h(d); }",
+        "namespace n { int a; } extern \"C\" { int b; }"}) {
+    EXPECT_EQ(with_marks(line), line);
+  }
+}
+
 TEST(Translate, casts_to_vectors_are_calls_that_end_with_their_operand) {
   EXPECT_EQ(translated("x = (vec_uchar16)a + b;"), "x = spu_emu::cast< vec_uchar16>(a) + b;");
   EXPECT_EQ(translated("x = (vec_uchar16)p->q[i].f(1)++ * 2;"),
