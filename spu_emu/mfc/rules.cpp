@@ -18,9 +18,8 @@ std::string exchanged_hint(std::uint64_t ea, std::uint32_t size) {
   if (exchanged == ea || is_bad_address(exchanged, size) || !is_mapped(exchanged, size, Access::read))
     return {};
   return format(
-      "; its two words exchanged, 0x%llx, it is memory of this process: an address that crosses as two words "
-      "has the "
-      "high one first",
+      "; its two words exchanged, 0x%llx, it is memory of this process: "
+      "an address that crosses as two words has the high one first",
       static_cast<unsigned long long>(exchanged));
 }
 
