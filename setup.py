@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 
@@ -23,6 +24,7 @@ class CMakeBuild(build_ext):
             ["cmake", "-S", PROJECT, "-B", build, "-DCMAKE_BUILD_TYPE=Release", f"-DPython_EXECUTABLE={sys.executable}"]
             + [f"-DCELLSWEEP_BUILD_{part}=OFF" for part in parts]
             + ["-DCELLSWEEP_CELL_ENGINES=OFF", "-DCELLSWEEP_WITH_EMBREE=OFF", "-DCELLSWEEP_REQUIRE_PYTHON=ON"]
+            + shlex.split(os.environ.get("CMAKE_ARGS", ""))
         )
         subprocess.check_call(
             ["cmake", "--build", build, "--target", "cellsweep_python", "--parallel", str(os.cpu_count() or 1)]
