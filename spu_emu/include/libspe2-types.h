@@ -68,8 +68,8 @@ enum ps_area {
   SPE_SIG_NOTIFY_2_AREA
 };
 
-/* An SPU program's image in memory; handle_size is the size of this struct. toe_shadow is null, or has for each quadword
-   of the image's section .toe one with the effective address that it shall hold. */
+/* An SPU program's image in memory; handle_size is the size of this struct. toe_shadow is null, or has for
+   each quadword of the image's section .toe one with the effective address that it shall hold. */
 typedef struct spe_program_handle {
   unsigned int handle_size;
   void* elf_image;

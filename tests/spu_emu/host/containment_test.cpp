@@ -86,8 +86,7 @@ TEST(Containment, a_time_limit_that_cannot_be_is_refused) {
 
 TEST(Containment, bytes_written_behind_a_block_of_the_heap_end_the_program_when_it_frees_the_block_or_exits) {
   RogueContext context;
-  context.expect_end(Rogue::overrun_a_block, EFAULT,
-                     "behind the 28 bytes that it asked for at LS 0x");
+  context.expect_end(Rogue::overrun_a_block, EFAULT, "behind the 28 bytes that it asked for at LS 0x");
   context.expect_end(Rogue::overrun_a_freed_block, EFAULT, "program wrote to LS 0x");
   const Words words;
   context.expect_end(Rogue::overrun_a_block_by_dma, EFAULT, "behind the 112 bytes", words.words.data());

@@ -1,9 +1,10 @@
 /* Linked into every program of the PPU in 32 bits: what a Cell executes and qemu's 32-bit processors do not.
  *
- * ISA 3.0 put mffscrni, mffscrn, mffsl and their kin into bits of mffs that older processors ignore, so that they take
- * all of these for mffs; the C library counts on that, in sin, cos, tan, atan and atan2 of doubles. qemu takes them for
- * illegal. Before anything else runs, each is therefore made the mffs that it is on a Cell. Only the sections of code are
- * looked at, which lie from _init to _fini: elsewhere the same bits are a number. */
+ * ISA 3.0 put mffscrni, mffscrn, mffsl and their kin into bits of mffs that older processors ignore, so that
+ * they take all of these for mffs; the C library counts on that, in sin, cos, tan, atan and atan2 of doubles.
+ * qemu takes them for illegal. Before anything else runs, each is therefore made the mffs that it is on a
+ * Cell. Only the sections of code are looked at, which lie from _init to _fini: elsewhere the same bits are a
+ * number. */
 #define _GNU_SOURCE
 #include <link.h>
 #include <sys/mman.h>
