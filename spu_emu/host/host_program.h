@@ -45,8 +45,8 @@ class HostProgram final : public Program {
   }
   void stop_here(const Stop& stop);
   [[noreturn]] void stop_for_good(const Stop& stop);
-  /// The program's exit, which comes again when it is resumed, as that of a real one does. Throws Fault when it wrote
-  /// beyond a block of its heap.
+  /// The program's exit, which comes again when it is resumed, as that of a real one does. Throws Fault when
+  /// it wrote beyond a block of its heap.
   [[noreturn]] void stop_for_exit(unsigned int code);
   /// Why a program ends before its time. What is to be said of it is put into words off its stack, where
   /// memory may run out once more.
