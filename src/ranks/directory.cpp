@@ -114,7 +114,7 @@ Status Directory::exchange(std::vector<Message>& out, std::vector<Message>& in) 
   ++rounds_;
   messages_ += others.size();
   for (const Message& message : others) bytes_ += message.words.size() * sizeof(std::uint64_t);
-  const Status status = job_.exchange(others, in);
+  Status status = job_.exchange(others, in);
   return job_.agree([&] {
     in.insert(in.end(), std::make_move_iterator(self), std::make_move_iterator(out.end()));
     return status;

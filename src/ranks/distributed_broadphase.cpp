@@ -194,7 +194,7 @@ Status DistributedBroadphase::Impl::cut_anew() {
 
 // Nothing has changed where it fails.
 Status DistributedBroadphase::Impl::tell(ranks::Round& round, ranks::PhaseClock& clock) {
-  const Status came = round.exchange();
+  Status came = round.exchange();
   clock.lap_wait("exchange");
   Status status = job_.agree([&]() -> Status {
     if (!came.ok()) return came;

@@ -26,7 +26,7 @@ Status ask_ranks(const Job& job, std::span<const std::vector<QuestionRow>> to, A
     return {};
   });
   if (!status.ok()) return status;
-  const Status questions_came = job.exchange(asked, got);
+  Status questions_came = job.exchange(asked, got);
   std::vector<Message> answered;
   status = job.agree([&]() -> Status {
     if (!questions_came.ok()) return questions_came;
@@ -39,7 +39,7 @@ Status ask_ranks(const Job& job, std::span<const std::vector<QuestionRow>> to, A
     return answerer(to[static_cast<std::size_t>(job.rank())], answers);
   });
   if (!status.ok()) return status;
-  const Status answers_came = job.exchange(answered, got);
+  Status answers_came = job.exchange(answered, got);
   return job.agree([&]() -> Status {
     if (!answers_came.ok()) return answers_came;
     for (const Message& message : got) {
