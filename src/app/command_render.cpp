@@ -63,16 +63,16 @@ struct Render {
     if (!words) return words.status();
     auto read = report::read_cuts(*words);
     if (!read) return Status::bad_input(text("--cuts ", cuts, ": ", read.status().message));
-    regions = std::move(*read);
+    regions_ = std::move(*read);
     return {};
   }
 
   Status draw(const FrameSource& source, const Aabb& world, const std::filesystem::path& path) const {
     report::Tableau tableau = report::tableau_of(source, world);
-    if (!regions.empty()) {
+    if (!regions_.empty()) {
       std::vector<Aabb> boxes;
       for (const BodyId body : report::shown_bodies(source, world)) boxes.push_back(source.boxes()[body]);
-      report::show_cuts(regions, boxes, tableau);
+      report::show_cuts(regions_, boxes, tableau);
     }
     const auto image = report::trace_picture(tableau, picture);
     if (!image) return image.status();
@@ -94,8 +94,6 @@ struct Render {
     return end_with(kGood, text(drawn, " of ", range.count(), " pictures were drawn."));
   }
 
-  std::vector<Aabb> regions;
-
   // OUT/00012.png and so on, as tools that make films of pictures want them.
   Status draw_all(FrameSource& source, const Aabb& world, std::size_t& drawn) const {
     report::FolderLock folder;
@@ -109,11 +107,9 @@ struct Render {
     }
     return {};
   }
+
+  std::vector<Aabb> regions_;
 };
-
-}  // namespace
-
-namespace {
 
 void add_number(CLI::App& command, const std::string& flag, unsigned& number, const std::string& help,
                 std::uint64_t least, std::uint64_t most) {
