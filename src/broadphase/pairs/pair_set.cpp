@@ -24,8 +24,7 @@ void PairSet::remember_changes() {
   give_back_room();
   if (!listing_.waits()) return;
   if (std::exchange(only_began_, false)) {
-    std::swap(pairs_, began_);
-    began_.shrink(0);
+    std::swap(pairs_, began_);  // there were none
     listing_.put_off(false);
     return;
   }

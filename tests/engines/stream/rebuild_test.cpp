@@ -95,6 +95,26 @@ TEST_P(RebuildTest, LeavesNoUpdateWithMuchMoreWorkThanOthers) {
   }
 }
 
+// A fat box is put into cells once when it is prepared, and again where a body leaves the next one before its
+// time.
+TEST_P(RebuildTest, PreparesTheNextFatBoxOfEachBodyOnce) {
+  constexpr int kFirst = 30, kFrames = 80;
+  Courses courses(3000, 7);
+  Broadphase engine = engine_of(courses);
+  std::uint64_t put_before = 0, full_before = 0;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    if (frame == kFirst) {
+      put_before = counter(engine, "fat boxes put into cells");
+      full_before = counter(engine, "full updates");
+    }
+    update_all(engine, courses);
+    courses.go_on();
+  }
+  EXPECT_EQ(counter(engine, "full updates"), full_before);
+  const auto put = static_cast<double>(counter(engine, "fat boxes put into cells") - put_before);
+  EXPECT_LT(put / 3000, 1.0 * (kFrames - kFirst) / 4);
+}
+
 // They leap, turn and stop, some are taken out and put in again, static for a while.
 TEST_P(RebuildTest, IsExactWhateverBodiesDoInTheMeantime) {
   for (const std::size_t quiet : {1, 3, 5, 11}) {
