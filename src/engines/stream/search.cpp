@@ -20,19 +20,19 @@ std::size_t Search::generous_limit() const {
 }
 
 // Fat boxes that overlap are no reason to refuse, but when there are very many, boxes are put in their place.
-void Search::find_all(FatBoxes& fat_boxes, std::span<const Aabb> boxes, bool with_cells) {
+void Search::find_all(FatBoxes& fat_boxes, std::span<const Aabb> boxes, std::size_t most_swept) {
   if (fat_boxes.have_slack()) {
     try {
-      return find_among({fat_boxes.data(boxes), boxes.size()}, generous_limit(), with_cells);
+      return find_among({fat_boxes.data(boxes), boxes.size()}, generous_limit(), most_swept);
     } catch (const TooManyPairs&) {
       fat_boxes.drop_slack();
     }
   }
-  find_among(boxes, max_pairs_, with_cells);
+  find_among(boxes, max_pairs_, most_swept);
 }
 
-void Search::find_among(std::span<const Aabb> boxes, std::size_t most, bool with_cells) {
-  has_cells_ = with_cells || !sweep(boxes, most);
+void Search::find_among(std::span<const Aabb> boxes, std::size_t most, std::size_t most_swept) {
+  has_cells_ = boxes.size() > most_swept || !sweep(boxes, most);
   if (has_cells_) {
     cells_->limit_pairs(most);
     cells_->build({boxes.data(), boxes.size()});
@@ -41,9 +41,9 @@ void Search::find_among(std::span<const Aabb> boxes, std::size_t most, bool with
   }
 }
 
-// False when the world is not a small one, or cells take less.
+// False when there is no way to sweep, or cells take less.
 bool Search::sweep(std::span<const Aabb> boxes, std::size_t most) {
-  if (finder_ != nullptr || kernels_.sweep == nullptr || boxes.size() > tuning::kMostSwept) return false;
+  if (finder_ != nullptr || kernels_.sweep == nullptr) return false;
   swept_.clear();
   swept_.buffer().most = most;
   if (!sweep_.find(kernels_, boxes, swept_)) return false;

@@ -34,10 +34,10 @@ class Search {
   /// From now on fat boxes have far too many pairs when they have more than this.
   void limit_candidates(std::size_t most) { most_candidates_ = most; }
 
-  /// Finds all pairs of fat boxes anew: found(). Makes cells for it when they are wanted, or when a sweep
-  /// would take more. Where fat boxes have far too many pairs, they become the boxes themselves again.
-  /// Throws TooManyPairs when boxes have more than allowed.
-  void find_all(FatBoxes& fat_boxes, std::span<const Aabb> boxes, bool with_cells);
+  /// Finds all pairs of fat boxes anew: found(). So many slots and fewer are swept; makes cells for
+  /// others, and where a sweep would take more. Where fat boxes have far too many pairs, they become the
+  /// boxes themselves again. Throws TooManyPairs when boxes have more than allowed.
+  void find_all(FatBoxes& fat_boxes, std::span<const Aabb> boxes, std::size_t most_swept);
 
   /// Whether the last find_all() made cells. They follow the bodies by change() and CellTree::change_one().
   bool has_cells() const { return has_cells_; }
@@ -74,7 +74,7 @@ class Search {
 
  private:
   std::size_t generous_limit() const;
-  void find_among(std::span<const Aabb> boxes, std::size_t most, bool with_cells);
+  void find_among(std::span<const Aabb> boxes, std::size_t most, std::size_t most_swept);
   bool sweep(std::span<const Aabb> boxes, std::size_t most);
   std::uint64_t prepared_tests() const { return prepared_ ? prepared_->tests() : 0; }
 

@@ -24,7 +24,8 @@ Stream::Stream(StreamParts parts)
       fat_boxes_(parts_.margin),
       search_(crew_, *parts_.kernels, parts_.finder.get(), parts_.max_pairs),
       overlaps_(crew_),
-      rebuild_(crew_, fat_boxes_, search_, overlaps_) {}
+      rebuild_(crew_, fat_boxes_, search_, overlaps_),
+      small_world_(!parts_.finder && parts_.kernels->sweep != nullptr && parts_.margin == 0) {}
 
 Capacity Stream::capacity() const {
   return {kSlotMask, "", text("a slot's number has ", kSlotBits, " bits")};
@@ -35,6 +36,12 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
   search_.allow(changes.filters);
   if (parts_.margin == 0)
     search_.limit_candidates(tuning::kCandidatesOfPair * pairs_ + tuning::kCandidatesOfBody * bodies_);
+  is_swept_ = small_world_.begin_update(changes);
+  if (is_swept_) {
+    uses_prepared_ = false;
+    if (fat_boxes_.have_slack()) fat_boxes_.drop_slack();
+    return kFull;
+  }
   uses_prepared_ = rebuild_.begin_update(changes);
   crew_.plan(changes.moved.size(), tuning::kMoveGuess);
   switch (fat_boxes_.take(crew_, changes, most_listed_)) {
@@ -45,6 +52,12 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
     default:
       return kFull;
   }
+}
+
+void Stream::note_full() {
+  rebuild_.note_full();
+  if (!is_swept_) small_world_.note_full();
+  if (is_swept_ && search_.has_cells()) small_world_.give_up();
 }
 
 Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statistics) {
@@ -62,7 +75,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
     found = counted(find(changes, kind, timer));
     found.is_filtered = true;
     if (kind == kFull) {
-      rebuild_.note_full();
+      note_full();
     } else if (!parts_.finder) {
       changed_ += rebuild_.go_on(changes, fat_boxes_.changes().size(), costs_.full);
       timer.lap("next cells");
@@ -99,8 +112,9 @@ FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& time
   // A small world is swept when all is new, and while it is so in every update. Else cells will be asked for
   // the bodies that leave their fat boxes.
   const bool with_cells = kind == kPartial || (fat_boxes_.have_slack() && !was_full_);
+  const std::size_t most_swept = is_swept_ ? tuning::kMostSweptInMotion : tuning::kMostSwept;
   kind = kFull;
-  return find_all(changes, with_cells, timer);
+  return find_all(changes, with_cells ? 0 : most_swept, timer);
 }
 
 // With nobody left, everything ends, and the memory goes back.
@@ -183,7 +197,7 @@ FoundPairs Stream::find_prepared(const BodyChanges& changes, Kind& kind, PhaseTi
     crew_.plan(count, costs_.partial.seconds());
     if (!search_.change(fat_boxes_.changes())) {
       kind = kFull;
-      return find_anew(changes, true, timer);
+      return find_anew(changes, 0, timer);
     }
     overlaps_.change_candidates(changes, fat_boxes_.changes(), search_.cells());
   }
@@ -194,15 +208,15 @@ FoundPairs Stream::find_prepared(const BodyChanges& changes, Kind& kind, PhaseTi
   return found;
 }
 
-FoundPairs Stream::find_all(const BodyChanges& changes, bool with_cells, PhaseTimer& timer) {
+FoundPairs Stream::find_all(const BodyChanges& changes, std::size_t most_swept, PhaseTimer& timer) {
   overlaps_.set_aside(changes);
-  return find_anew(changes, with_cells, timer);
+  return find_anew(changes, most_swept, timer);
 }
 
-FoundPairs Stream::find_anew(const BodyChanges& changes, bool with_cells, PhaseTimer& timer) {
+FoundPairs Stream::find_anew(const BodyChanges& changes, std::size_t most_swept, PhaseTimer& timer) {
   const Cost::Clock::time_point start = Cost::Clock::now();
   crew_.plan(bodies_, costs_.full.seconds());
-  search_.find_all(fat_boxes_, changes.boxes, with_cells);
+  search_.find_all(fat_boxes_, changes.boxes, most_swept);
   changed_ += bodies_;
   timer.lap("cells");
   overlaps_.replace(search_.found(), !fat_boxes_.have_slack());

@@ -17,6 +17,7 @@
 #include "engines/stream/pairs/overlaps.h"
 #include "engines/stream/rebuild.h"
 #include "engines/stream/search.h"
+#include "engines/stream/small_world.h"
 
 namespace cellsweep::stream {
 
@@ -30,7 +31,8 @@ struct StreamParts {
 
 /// Costs follow changes: nothing when nothing changed; the known candidates are tested again while all bodies
 /// stay inside of their fat boxes; the cells of those that left them are looked at when few did; everything
-/// is found anew when that is expected to take less time. Memory is linear in bodies and pairs.
+/// is found anew when that is expected to take less time, as in every update of a small world in which most
+/// bodies move. Memory is linear in bodies and pairs.
 class Stream final : public Engine, public HasFinder {
  public:
   [[gnu::cold]] explicit Stream(StreamParts parts);
@@ -55,13 +57,14 @@ class Stream final : public Engine, public HasFinder {
   bool find_of_few(const BodyChanges& changes, PhaseTimer& timer, FoundPairs& found);
   FoundPairs find_in_place(const BodyChanges& changes, PhaseTimer& timer);
   bool find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPairs& found);
-  FoundPairs find_all(const BodyChanges& changes, bool with_cells, PhaseTimer& timer);
-  FoundPairs find_anew(const BodyChanges& changes, bool with_cells, PhaseTimer& timer);
+  FoundPairs find_all(const BodyChanges& changes, std::size_t most_swept, PhaseTimer& timer);
+  FoundPairs find_anew(const BodyChanges& changes, std::size_t most_swept, PhaseTimer& timer);
   FoundPairs counted(const FoundPairs& found);
   void give_back_spare();
   [[gnu::cold]] void forget_all();
   std::size_t bytes_held() const { return fat_boxes_.bytes() + search_.bytes() + overlaps_.bytes(); }
   std::size_t most_bytes() const;
+  void note_full();
   void note_idle(Statistics& statistics);
   [[gnu::cold]] void refresh_counters(Statistics& statistics);
 
@@ -71,7 +74,9 @@ class Stream final : public Engine, public HasFinder {
   Search search_;
   Overlaps overlaps_;
   Rebuild rebuild_;
+  SmallWorld small_world_;
   Costs costs_;
+  bool is_swept_ = false;        // this update finds all anew, without fat boxes
   bool uses_prepared_ = false;   // this update
   bool was_full_ = false;        // the last update
   std::size_t pairs_ = 0;        // how many there are

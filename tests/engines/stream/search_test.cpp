@@ -19,7 +19,7 @@ class SearchTest : public testing::Test {
  protected:
   void find_all() {
     FatBoxes no_fat_boxes(0);
-    search_.find_all(no_fat_boxes, boxes_, true);
+    search_.find_all(no_fat_boxes, boxes_, 0);
   }
 
   void prepare() {

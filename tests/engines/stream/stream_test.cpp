@@ -32,7 +32,7 @@ TEST(Stream, ChoosesByTheShareOfBodiesThatChanged) {
 }
 
 TEST(Stream, LooksAtNoCellWhileBodiesKeepTheirCourse) {
-  std::vector<Aabb> boxes = uniform_boxes(2000 / kScale, 8);
+  std::vector<Aabb> boxes = uniform_boxes(4000, 8);  // too many to be swept in every update
   Broadphase engine = engine_with(boxes);
   ASSERT_TRUE(engine.update().ok());
   for (int frame = 0; frame < 8; ++frame) {

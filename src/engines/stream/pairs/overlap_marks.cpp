@@ -318,6 +318,11 @@ SlotPairChanges OverlapMarks::compare(std::span<const SlotPair> before, std::spa
   return {std::as_const(began_).view(), std::as_const(ended_).view()};
 }
 
+SlotPairChanges OverlapMarks::compare_pairs(std::span<const SlotPair> before, std::span<const SlotPair> now) {
+  find_changes<SlotPair>(before, now, {}, began_, ended_);
+  return {std::as_const(began_).view(), std::as_const(ended_).view()};
+}
+
 void OverlapMarks::list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const {
   marked.renew(candidates.size());
   const SlotPair* const end = copy_marked(candidates, marks_.data(), marked.data());

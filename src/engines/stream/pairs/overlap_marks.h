@@ -47,6 +47,9 @@ class OverlapMarks {
   /// What differs between the marked ones of the candidates before, whose marks were kept, and of those now.
   SlotPairChanges compare(std::span<const SlotPair> before, std::span<const SlotPair> now);
 
+  /// The same where all candidates overlap, before and now. Nothing is marked.
+  SlotPairChanges compare_pairs(std::span<const SlotPair> before, std::span<const SlotPair> now);
+
   /// Writes the marked ones of the candidates to a list.
   void list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const;
 

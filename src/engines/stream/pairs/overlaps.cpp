@@ -7,8 +7,12 @@
 namespace cellsweep::stream {
 
 void Overlaps::set_aside(const BodyChanges& changes) {
-  repair_marks(changes);
-  marks_.keep();
+  were_pairs_ = marks_say_ == Marks::all_overlap;
+  if (!were_pairs_) {
+    repair_marks(changes);
+    marks_.keep();
+  }
+  marks_say_ = Marks::true_of_it;
   before_ = list_.take(crew_);
 }
 
@@ -27,6 +31,17 @@ FoundPairs Overlaps::compare(const BodyChanges& changes) {
   const std::span<const SlotPair> now = list_.pairs(crew_);
   const std::span<const SlotPair> before = std::exchange(before_, {});
   if (are_pairs_ && before.empty()) return {.began = now};
+  const SlotPairChanges found =
+      are_pairs_ && were_pairs_ ? marks_.compare_pairs(before, now) : compare_marked(changes, before, now);
+  return {.began = found.began, .ended = found.ended};
+}
+
+SlotPairChanges Overlaps::compare_marked(const BodyChanges& changes, std::span<const SlotPair> before,
+                                         std::span<const SlotPair> now) {
+  if (were_pairs_) {
+    marks_.mark_all(before.size());
+    marks_.keep();
+  }
   if (are_pairs_) {
     marks_.mark_all(now.size());
   } else {
@@ -34,8 +49,7 @@ FoundPairs Overlaps::compare(const BodyChanges& changes) {
     marks_.test_all(crew_, now, changes.boxes.data());
     tests_ += now.size();
   }
-  const SlotPairChanges found = marks_.compare(before, now);
-  return {.began = found.began, .ended = found.ended};
+  return marks_.compare(before, now);
 }
 
 // Where marks were not kept up to date, they are what the boxes of the last update say.

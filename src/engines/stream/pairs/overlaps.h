@@ -83,6 +83,8 @@ class Overlaps {
   void grow_fresh(const BodyChanges& changes);
   void mark_fresh(const BodyChanges& changes, std::uint8_t mark);
   void mark_fresh(std::span<const FatBoxChange> fat_changes, std::uint8_t mark);
+  SlotPairChanges compare_marked(const BodyChanges& changes, std::span<const SlotPair> before,
+                                 std::span<const SlotPair> now);
   void repair_marks(const BodyChanges& changes);
   void note(std::span<const std::uint64_t> keys, bool are_there);
 
@@ -93,7 +95,8 @@ class Overlaps {
   PairsOfFew few_;
   bool are_pairs_ = true;  // all candidates
   Marks marks_say_ = Marks::all_overlap;
-  std::span<const SlotPair> before_;  // the candidates that were replaced
+  std::span<const SlotPair> before_;  // the candidates that were replaced,
+  bool were_pairs_ = false;           // all of which overlapped
   Array<SlotPair> ended_;
   Vector<std::uint8_t> fresh_;  // by slot, 0 between updates
   std::uint64_t tests_ = 0;

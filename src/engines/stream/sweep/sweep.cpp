@@ -18,22 +18,6 @@ constexpr std::uint32_t kMostPlaces = 4096;
 /// Room behind the last byte for a vector.
 constexpr std::size_t kPadding = 64;
 
-/// Maps coordinates of the three axes, in lanes 0 to 2, to whole numbers.
-struct NumberMap {
-  Float4 origin{};
-  Float4 scale{};
-  Float4 top{};
-
-  // NaN becomes 0.
-  Int4 operator()(Float4 coordinates) const {
-    const Float4 zero{};
-    Float4 numbers = (coordinates - origin) * scale;
-    numbers = numbers > zero ? numbers : zero;
-    numbers = numbers < top ? numbers : top;
-    return __builtin_convertvector(numbers, Int4);
-  }
-};
-
 /// The axis by which boxes are put in order: the one on which they are shortest by its length.
 struct Order {
   unsigned axis = 0;
@@ -55,26 +39,30 @@ Order choose_order(const BoxSample& sample) {
   return order;
 }
 
-NumberMap make_map(const BoxSample& sample, const Order& order) {
-  NumberMap map;
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    const double numbers = axis == order.axis ? order.places : 256;
-    // A few boxes lie beyond what the sample knows of; on the axis of the order they would share two places.
-    const double beyond = axis == order.axis ? sample.axes[axis].length / 8 : 0;
-    const double length = sample.axes[axis].length + 2 * beyond;
-    map.origin[axis] = static_cast<float>(std::max(sample.axes[axis].origin - beyond, double{-FLT_MAX}));
-    map.scale[axis] = length > 0 ? static_cast<float>(std::min(numbers / length, double{FLT_MAX})) : 0;
-    map.top[axis] = static_cast<float>(numbers - 1);
-  }
-  return map;
-}
-
 }  // namespace
 
+// NaN becomes 0.
+inline Int4 Sweep::NumberMap::operator()(Float4 coordinates) const {
+  const Float4 zero{};
+  Float4 numbers = (coordinates - origin) * scale;
+  numbers = numbers > zero ? numbers : zero;
+  numbers = numbers < top ? numbers : top;
+  return __builtin_convertvector(numbers, Int4);
+}
+
+// Where boxes were some updates ago they mostly still are. Where that is not so, it costs to sort them twice.
 bool Sweep::find(const Kernels& kernels, std::span<const Aabb> boxes, Keys& found) {
-  const std::uint32_t count = make_rows(boxes);
-  sort_rows(count);
-  if (!pays(kernels, count)) return false;
+  const bool knows = knows_where(boxes);
+  std::uint32_t count = 0;
+  if (knows) {
+    ++sweeps_;
+    count = sort(boxes);
+  }
+  if (!knows || !pays(kernels, count)) {
+    learn(boxes);
+    count = sort(boxes);
+    if (!pays(kernels, count)) return false;
+  }
   const std::size_t before = found.view().size();
   const bool all = find_pairs(kernels, boxes, count, found.buffer());
   if (!all) found.shrink(before);
@@ -82,13 +70,51 @@ bool Sweep::find(const Kernels& kernels, std::span<const Aabb> boxes, Keys& foun
   return all;
 }
 
+// As far as a few of them tell: most must not lie at the ends of an axis.
+bool Sweep::knows_where(std::span<const Aabb> boxes) const {
+  constexpr std::size_t kLooks = 32;
+  if (sweeps_ == 0 || sweeps_ >= tuning::kSweepsOfSample || boxes.size() != slots_known_) return false;
+  const Int4 top = __builtin_convertvector(map_.top, Int4);
+  std::size_t beyond = 0;
+  for (std::size_t slot = 0; slot < boxes.size(); slot += boxes.size() / kLooks + 1) {
+    const BoxLanes box(boxes[slot]);
+    const Int4 is_beyond = ((map_(box.min) == top) | (map_(box.max) == 0)) & (map_.scale > 0);
+    beyond += (is_beyond[0] | is_beyond[1] | is_beyond[2]) != 0 ? 1 : 0;
+  }
+  return beyond < kLooks / 4;
+}
+
 // How many there are.
-std::uint32_t Sweep::make_rows(std::span<const Aabb> boxes) {
+std::uint32_t Sweep::sort(std::span<const Aabb> boxes) {
+  const std::uint32_t count = make_rows(boxes);
+  sort_rows(count);
+  compared_ = 0;
+  for (std::uint32_t place = 0; place < count; ++place) compared_ += ends_.view()[place] - place;
+  return count;
+}
+
+void Sweep::learn(std::span<const Aabb> boxes) {
   const BoxSample sample = take_sample({boxes.data(), boxes.size()}, Look::at_few);
   const Order order = choose_order(sample);
-  const unsigned x = order.axis, y = (x + 1) % 3, z = (x + 2) % 3;
-  const NumberMap map = make_map(sample, order);
+  axis_ = order.axis;
   places_ = order.places;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const double numbers = axis == axis_ ? places_ : 256;
+    // A few boxes lie beyond what the sample knows of; on the axis of the order they would share two places.
+    const double beyond = axis == axis_ ? sample.axes[axis].length / 8 : 0;
+    const double length = sample.axes[axis].length + 2 * beyond;
+    map_.origin[axis] = static_cast<float>(std::max(sample.axes[axis].origin - beyond, double{-FLT_MAX}));
+    map_.scale[axis] = length > 0 ? static_cast<float>(std::min(numbers / length, double{FLT_MAX})) : 0;
+    map_.top[axis] = static_cast<float>(numbers - 1);
+  }
+  sweeps_ = 1;
+  slots_known_ = boxes.size();
+}
+
+// How many there are.
+std::uint32_t Sweep::make_rows(std::span<const Aabb> boxes) {
+  const unsigned x = axis_, y = (x + 1) % 3, z = (x + 2) % 3;
+  const NumberMap map = map_;
   rows_.renew(boxes.size());
   slots_.renew(boxes.size());
   std::uint32_t count = 0;
@@ -132,12 +158,9 @@ void Sweep::sort_rows(std::uint32_t count) {
   }
 }
 
-bool Sweep::pays(const Kernels& kernels, std::uint32_t count) {
-  std::uint64_t compared = 0;
-  for (std::uint32_t place = 0; place < count; ++place) compared += ends_.data()[place] - place;
-  tests_ += compared;
+bool Sweep::pays(const Kernels& kernels, std::uint32_t count) const {
   // A vector holds four times as many bytes as boxes.
-  return compared <= std::uint64_t{4} * kernels.lanes * tuning::kVectorsOfSwept * count;
+  return compared_ <= std::uint64_t{4} * kernels.lanes * tuning::kVectorsOfSwept * count;
 }
 
 bool Sweep::find_pairs(const Kernels& kernels, std::span<const Aabb> boxes, std::uint32_t count,
@@ -146,6 +169,7 @@ bool Sweep::find_pairs(const Kernels& kernels, std::span<const Aabb> boxes, std:
   const std::uint8_t* const bytes = bytes_.data();
   const SweptBoxes swept{bytes, bytes + room, bytes + 2 * room, bytes + 3 * room, ends_.data(), count};
   hits_.renew(kHits);
+  tests_ += compared_;
   const std::size_t before = found.size;
   std::uint64_t tests = 0;
   for (std::uint32_t place = 0; place < count;) {

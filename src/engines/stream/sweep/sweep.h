@@ -11,6 +11,7 @@
 #include "engines/stream/cells/grid.h"
 #include "engines/stream/cells/keys.h"
 #include "engines/stream/kernels/kernel.h"
+#include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {
 
@@ -21,7 +22,7 @@ class Sweep {
   /// Hits that are looked at at a time; of a box there may be one for each of the shortest vectors.
   static constexpr std::uint32_t kHits = 1024;
   static constexpr std::size_t kMostBoxes = std::size_t{16} * (kHits - 1);
-  static_assert(kMostBoxes >= tuning::kMostSwept);
+  static_assert(kMostBoxes >= tuning::kMostSweptInMotion);
 
   /// Appends the keys of all pairs, in no order. False, and nothing is appended, when cells would take less:
   /// where small numbers tell too little. `boxes` are by slot, kNobody where there is no body; at most
@@ -33,6 +34,15 @@ class Sweep {
   std::size_t bytes() const;
 
  private:
+  /// Maps coordinates of the three axes, in lanes 0 to 2, to whole numbers. NaN becomes 0.
+  struct NumberMap {
+    Float4 origin{};
+    Float4 scale{};
+    Float4 top{};
+
+    Int4 operator()(Float4 coordinates) const;
+  };
+
   /// A box in small numbers.
   struct Row {
     std::uint16_t low_x;
@@ -43,19 +53,27 @@ class Sweep {
     std::uint8_t high_z;
   };
 
+  bool knows_where(std::span<const Aabb> boxes) const;
+  void learn(std::span<const Aabb> boxes);
+  std::uint32_t sort(std::span<const Aabb> boxes);
   std::uint32_t make_rows(std::span<const Aabb> boxes);
   void sort_rows(std::uint32_t count);
-  bool pays(const Kernels& kernels, std::uint32_t count);
+  bool pays(const Kernels& kernels, std::uint32_t count) const;
   bool find_pairs(const Kernels& kernels, std::span<const Aabb> boxes, std::uint32_t count, KeyBuffer& found);
   std::uint64_t test(std::span<const Aabb> boxes, std::span<const SweptHits> hits, KeyBuffer& found) const;
 
-  std::uint32_t places_ = 0;  // numbers on the axis of the order
+  NumberMap map_;
+  unsigned axis_ = 0;            // of the order
+  std::uint32_t places_ = 0;     // numbers on it
+  std::uint32_t sweeps_ = 0;     // that the map was made or used for,
+  std::size_t slots_known_ = 0;  // with so many slots
   Array<Row> rows_;
   Array<std::uint32_t> slots_;   // of the rows
   Array<std::uint32_t> sorted_;  // slots in the order of the axis
   Array<std::uint32_t> ends_;
   Array<std::uint8_t> bytes_;  // low y, high y, low z, high z
   Array<SweptHits> hits_;
+  std::uint64_t compared_ = 0;  // comparisons in bytes that a sweep of the sorted rows makes
   std::uint64_t tests_ = 0;
 };
 

@@ -131,8 +131,24 @@ TEST_P(SweepTest, KeepsWhatWasThereBefore) {
   EXPECT_EQ(keys.view().size(), 2 * count);
 }
 
+// What it learnt of one world is of no use in the other.
+TEST_P(SweepTest, IsExactAndQuickWhereBoxesHaveLeapt) {
+  std::vector<Aabb> boxes = uniform_boxes(1000, 6);
+  EXPECT_EQ(pairs_of(boxes), pairs_among(boxes));
+  const std::uint64_t first = sweep_.tests();
+  for (int leap = 0; leap < 40; ++leap) {
+    for (Aabb& box : boxes) {
+      box.min[leap % 3] += 1000;
+      box.max[leap % 3] += 1000;
+    }
+    const std::uint64_t before = sweep_.tests();
+    ASSERT_EQ(pairs_of(boxes), pairs_among(boxes)) << "leap " << leap;
+    EXPECT_LT(sweep_.tests() - before, 3 * first) << "leap " << leap;
+  }
+}
+
 TEST_P(SweepTest, StopsAtMorePairsThanThereMayBe) {
-  const std::vector<Aabb> heap(240, Aabb{{0, 0, 0}, {1, 1, 1}});
+  const std::vector<Aabb> heap(160, Aabb{{0, 0, 0}, {1, 1, 1}});
   Keys keys;
   keys.buffer().most = 1000;
   EXPECT_THROW(sweep_.find(*kernels_, heap, keys), TooManyPairs);

@@ -1,0 +1,129 @@
+/// @file
+/// Small worlds in which most bodies move: engine `stream` sweeps them in every update, unless bodies
+/// tremble.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engines/stream/courses.h"
+#include "engines/stream/worlds.h"
+
+namespace cellsweep::stream {
+namespace {
+
+using contract::Random;
+
+constexpr std::size_t kFewBodies = 500;
+
+class SmallWorldTest : public testing::Test {
+ protected:
+  SmallWorldTest() { EXPECT_TRUE(engine_.update().ok()); }
+
+  /// Moves all bodies that `every` divides; expects the pairs of brute force.
+  void update_with(const std::vector<Aabb>& boxes, std::size_t every = 1) {
+    move_every(engine_, boxes, every);
+    for (std::size_t i = 0; i < boxes.size(); i += every) shown_[i] = boxes[i];
+    const std::uint64_t before = full_updates();
+    ASSERT_TRUE(engine_.update().ok());
+    was_full_ = full_updates() > before;
+    ASSERT_TRUE(is_exact(engine_, shown_));
+  }
+  void go_on(std::size_t every = 1) {
+    courses_.go_on();
+    update_with(courses_.boxes(), every);
+  }
+  void tremble(std::uint64_t frame) {
+    std::vector<Aabb> boxes = courses_.boxes();
+    shake(boxes, 0.02F, frame);
+    update_with(boxes);
+  }
+  std::uint64_t full_updates() const { return counter(engine_, "full updates"); }
+
+  Courses courses_{kFewBodies, 1};
+  Broadphase engine_ = engine_with(courses_.boxes());
+  std::vector<Aabb> shown_ = courses_.boxes();
+  bool was_full_ = false;  // the last update
+};
+
+TEST_F(SmallWorldTest, IsSweptInEveryUpdateWhileBodiesKeepTheirCourse) {
+  for (int frame = 0; frame < 100; ++frame) {
+    ASSERT_NO_FATAL_FAILURE(go_on());
+    EXPECT_TRUE(was_full_) << "frame " << frame;
+  }
+  EXPECT_EQ(counter(engine_, "boxes in cells"), 0U);
+}
+
+TEST_F(SmallWorldTest, HasFatBoxesWhileBodiesTremble) {
+  std::uint64_t full = 0;
+  for (std::uint64_t frame = 0; frame < 60; ++frame) {
+    ASSERT_NO_FATAL_FAILURE(tremble(frame));
+    if (frame >= 20) full += was_full_ ? 1 : 0;
+  }
+  EXPECT_EQ(full, 0U);
+}
+
+TEST_F(SmallWorldTest, HasFatBoxesWhileFewMove) {
+  for (int frame = 0; frame < 20; ++frame) ASSERT_NO_FATAL_FAILURE(go_on());
+  for (int frame = 0; frame < 20; ++frame) {
+    ASSERT_NO_FATAL_FAILURE(go_on(20));
+    if (frame > 0) {
+      EXPECT_FALSE(was_full_) << "frame " << frame;
+    }
+  }
+}
+
+TEST_F(SmallWorldTest, IsSweptAgainWhenBodiesThatTrembledSetOff) {
+  for (std::uint64_t frame = 0; frame < 100; ++frame) ASSERT_NO_FATAL_FAILURE(tremble(frame));
+  EXPECT_FALSE(was_full_);
+  for (int frame = 0; frame < 80; ++frame) ASSERT_NO_FATAL_FAILURE(go_on());
+  for (int frame = 0; frame < 40; ++frame) {
+    ASSERT_NO_FATAL_FAILURE(go_on());
+    EXPECT_TRUE(was_full_) << "frame " << frame;
+  }
+}
+
+// Whatever is watched, or was learnt of where boxes are.
+TEST_F(SmallWorldTest, IsExactWhateverBodiesDo) {
+  Random& random = courses_.random();
+  std::size_t swept = 0, others = 0;
+  for (std::uint64_t phase = 0; phase < 60; ++phase) {
+    const std::size_t doing = random.below(5);
+    const std::size_t every = doing == 1 ? 2 + random.below(30) : 1;
+    for (std::uint64_t frame = 0; frame < 3 + random.below(20); ++frame) {
+      if (doing == 2) courses_.leap(random.below(kFewBodies));
+      if (doing == 3) {
+        const auto body = static_cast<BodyId>(random.below(kFewBodies));
+        ASSERT_TRUE(engine_.remove({&body, 1}).ok());
+        if (random.one_in(2)) {
+          ASSERT_TRUE(engine_.update().ok());
+        }
+        ASSERT_TRUE(engine_.insert({&body, 1}, {&shown_[body], 1}).ok());
+      }
+      if (doing == 4) {
+        ASSERT_NO_FATAL_FAILURE(tremble(frame));
+      } else {
+        ASSERT_NO_FATAL_FAILURE(go_on(every));
+      }
+      (was_full_ ? swept : others) += 1;
+    }
+  }
+  EXPECT_GT(swept, 50U);
+  EXPECT_GT(others, 50U);
+}
+
+TEST_F(SmallWorldTest, WithAMarginHasFatBoxesAtOnce) {
+  Broadphase engine = engine_with(courses_.boxes(), {.margin = 0.5F});
+  ASSERT_TRUE(engine.update().ok());
+  for (int frame = 0; frame < 4; ++frame) {
+    courses_.go_on();
+    move_every(engine, courses_.boxes(), 1);
+    ASSERT_TRUE(engine.update().ok());
+    EXPECT_TRUE(is_exact(engine, courses_.boxes()));
+  }
+  EXPECT_GT(counter(engine, "in-place updates"), 0U);
+}
+
+}  // namespace
+}  // namespace cellsweep::stream
