@@ -18,9 +18,9 @@ bool may_prepare(const BodyChanges& changes) {
 
 bool Rebuild::begin_update(const BodyChanges& changes) {
   ++age_;
-  if (holds_memory_ && !may_prepare(changes)) drop();
+  if (holds_memory_ && (!may_prepare(changes) || !watch_.see(changes))) drop();
   if (stage_ != kAll) return false;
-  goes_on_ = fat_boxes_.are_being_left(changes);
+  goes_on_ = !watch_.most_stay() && fat_boxes_.are_being_left(changes, static_cast<float>(next_lasts_));
   fat_boxes_.use_prepared();
   return true;
 }
@@ -28,7 +28,7 @@ bool Rebuild::begin_update(const BodyChanges& changes) {
 std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped, const Cost& cost) {
   escaped_ += escaped;
   if (lasts_ == 0 || stage_ == kAll || !may_prepare(changes)) return 0;
-  if (stage_ == kNothing && !begin()) return 0;
+  if (stage_ == kNothing && !begin(changes)) return 0;
   const double parts = lasts_ - 1;
   crew_.plan(static_cast<std::size_t>(static_cast<double>(changes.bodies) / parts), cost.seconds());
   const double before = fat_done_;
@@ -41,8 +41,9 @@ std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped, cons
   return static_cast<std::size_t>((fat_done_ - before) * static_cast<double>(changes.moved.size()));
 }
 
-bool Rebuild::begin() {
+bool Rebuild::begin(const BodyChanges& changes) {
   if (age_ != 1 || !search_.has_cells()) return false;
+  watch_.begin(changes);
   fat_boxes_.begin_prepared();
   holds_memory_ = true;
   stage_ = kBegun;
@@ -105,10 +106,13 @@ bool Rebuild::prepare_cells(double due) {
 
 void Rebuild::note_used(std::size_t bodies) {
   lasts_ = goes_on_ ? next_lasts_ : 0;
+  calm_ = escaped_ < bodies / tuning::kFewEscaped ? calm_ + 1 : 0;
   if (escaped_ > bodies / tuning::kManyEscaped) {
     next_lasts_ = std::max(next_lasts_ - 1, tuning::kLastsAtLeast);
-  } else if (escaped_ < bodies / tuning::kFewEscaped) {
+    patience_ = std::min(2 * patience_, tuning::kMostPatience);
+  } else if (calm_ >= patience_) {
     next_lasts_ = std::min(next_lasts_ + 1, tuning::kAllAhead);
+    calm_ = 0;
   }
   begin_anew();
 }
@@ -122,6 +126,8 @@ void Rebuild::note_full() {
   if (are_first) lasts_ = tuning::kAllAhead;
   if (lasted_usually) lasts_ = std::min(age_ - 1, tuning::kAllAhead);
   next_lasts_ = lasts_;
+  patience_ = 1;
+  calm_ = 0;
   begin_anew();
 }
 

@@ -9,6 +9,7 @@
 #include "base/crew.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/bodies/fat_boxes.h"
+#include "engines/stream/bodies/watch.h"
 #include "engines/stream/cost.h"
 #include "engines/stream/pairs/overlaps.h"
 #include "engines/stream/search.h"
@@ -45,7 +46,7 @@ class Rebuild {
   /// What of it is done.
   enum Stage { kNothing, kBegun, kFatBoxes, kListed, kFilled, kCells, kAll };
 
-  bool begin();
+  bool begin(const BodyChanges& changes);
   void prepare_until(double due, const BodyChanges& changes);
   bool prepare_fat_boxes(double due, const BodyChanges& changes);
   bool prepare_cells(double due);
@@ -57,9 +58,10 @@ class Rebuild {
   FatBoxes& fat_boxes_;
   Search& search_;
   Overlaps& overlaps_;
+  Watch watch_;
   Stage stage_ = kNothing;
   bool holds_memory_ = false;
-  bool goes_on_ = false;          // the next fat boxes were needed
+  bool goes_on_ = false;          // the next fat boxes were needed, or will be soon
   double fat_done_ = 0;           // the share of the next fat boxes that are made
   std::uint64_t copies_ = 0;      // boxes placed in the next cells,
   std::uint64_t built_ = 0;       // and so many of them in cells that are made
@@ -67,6 +69,8 @@ class Rebuild {
   std::uint32_t lasts_ = 0;       // after so many the next ones are; 0: nothing is prepared
   std::uint32_t next_lasts_ = 0;  // after so many those that follow them
   std::size_t escaped_ = 0;       // bodies that left theirs since
+  std::uint32_t calm_ = 0;        // so many times few did, one after the other,
+  std::uint32_t patience_ = 1;    // of so many, after which they are made for more updates
 };
 
 }  // namespace cellsweep::stream

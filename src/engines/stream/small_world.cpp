@@ -1,7 +1,6 @@
 #include "engines/stream/small_world.h"
 
-#include <algorithm>
-#include <cmath>
+#include "base/tuning.h"
 
 namespace cellsweep::stream {
 
@@ -33,57 +32,17 @@ void SmallWorld::give_up() {
   rests_ = tuning::kTrialOfFatBoxes;
 }
 
+// After so many updates the verdict, and anew.
 void SmallWorld::watch(const BodyChanges& changes) {
-  if (seen_ == 0) begin_to_watch(changes);
-  if (!see(changes)) {
+  if (seen_ == 0) {
+    watch_.begin(changes);
+  } else if (!watch_.see(changes)) {
     seen_ = 0;
     return;
   }
   if (++seen_ < tuning::kUpdatesWatched) return;
   seen_ = 0;
-  if (most_stay()) give_up();
-}
-
-void SmallWorld::begin_to_watch(const BodyChanges& changes) {
-  const std::size_t step = changes.moved.size() / tuning::kWatched + 1;
-  watched_count_ = 0;
-  for (std::size_t i = 0; i < changes.moved.size(); i += step) {
-    const Slot slot = changes.moved[i];
-    watched_[watched_count_++] = {slot, changes.before[slot], changes.before[slot], 0};
-  }
-}
-
-// False when one of them is not there any more, or is another.
-bool SmallWorld::see(const BodyChanges& changes) {
-  for (std::size_t i = 0; i < watched_count_; ++i) {
-    Watched& body = watched_[i];
-    const Aabb& now = changes.boxes[body.slot];
-    if (!(now.min[0] <= now.max[0])) return false;
-    float step = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      step = std::max(step, std::abs(now.min[axis] - body.box.min[axis]));
-      body.reach.min[axis] = std::min(body.reach.min[axis], now.min[axis]);
-      body.reach.max[axis] = std::max(body.reach.max[axis], now.max[axis]);
-    }
-    body.way += step;
-    body.box = now;
-  }
-  return true;
-}
-
-// A body that keeps its course gets as far as its way is long; one that trembles goes to and fro.
-bool SmallWorld::most_stay() const {
-  std::size_t stay = 0;
-  for (std::size_t i = 0; i < watched_count_; ++i) {
-    const Watched& body = watched_[i];
-    float far = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float length = body.box.max[axis] - body.box.min[axis];
-      far = std::max(far, body.reach.max[axis] - body.reach.min[axis] - length);
-    }
-    stay += 2 * far <= body.way ? 1 : 0;
-  }
-  return 2 * stay > watched_count_;
+  if (watch_.most_stay()) give_up();
 }
 
 }  // namespace cellsweep::stream

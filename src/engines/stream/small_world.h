@@ -2,12 +2,10 @@
 /// Small worlds in which most bodies move: they are swept in every update.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
-#include "base/tuning.h"
 #include "cellsweep/engine/engine.h"
+#include "engines/stream/bodies/watch.h"
 
 namespace cellsweep::stream {
 
@@ -30,27 +28,15 @@ class SmallWorld {
   void give_up();
 
  private:
-  /// The way of a body since it is watched.
-  struct Watched {
-    Slot slot = 0;
-    Aabb box{};    // where it was last
-    Aabb reach{};  // encloses where it has been
-    float way = 0;
-  };
-
   bool has_much_motion(const BodyChanges& changes) const;
   void watch(const BodyChanges& changes);
-  void begin_to_watch(const BodyChanges& changes);
-  bool see(const BodyChanges& changes);
-  bool most_stay() const;
 
   bool may_be_swept_;
   bool is_swept_ = true;      // as long as nobody moved, nothing speaks for fat boxes
   bool much_motion_ = false;  // in this update
   std::uint32_t rests_ = 0;   // updates that fat boxes are given to prove themselves
   std::uint32_t seen_ = 0;    // updates in which bodies are watched; 0: none is
-  std::size_t watched_count_ = 0;
-  std::array<Watched, tuning::kWatched> watched_;
+  Watch watch_;
 };
 
 }  // namespace cellsweep::stream

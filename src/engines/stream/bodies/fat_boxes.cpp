@@ -96,16 +96,14 @@ void FatBoxes::prepare(Crew& crew, const BodyChanges& changes, Share places, flo
   });
 }
 
-bool FatBoxes::are_being_left(const BodyChanges& changes) const {
+bool FatBoxes::are_being_left(const BodyChanges& changes, float updates) const {
   constexpr std::size_t kLooks = 128;
-  constexpr float kSoon = 1.5F;
   const std::size_t step = changes.moved.size() / kLooks + 1;
   std::size_t looks = 0;
   std::size_t left = 0;
   for (std::size_t i = 0; i < changes.moved.size(); i += step) {
     const Slot slot = changes.moved[i];
-    const Outlook soon{.updates = kSoon};
-    const Aabb next = fat_box_of(changes.before[slot], changes.boxes[slot], soon);
+    const Aabb next = fat_box_of(changes.before[slot], changes.boxes[slot], {.updates = updates});
     left += encloses(BoxLanes(fat_[slot]), BoxLanes(next)) ? 0 : 1;
     ++looks;
   }

@@ -57,8 +57,9 @@ class FatBoxes {
   void prepare(Crew& crew, const BodyChanges& changes, Share places, float from, float updates);
   std::span<const Aabb> prepared() const { return prepared_; }
   void use_prepared() { fat_.swap(prepared_); }
-  /// Whether most of the bodies that moved have left the fat boxes that there are, or will soon: some tell.
-  bool are_being_left(const BodyChanges& changes) const;
+  /// Whether most of the bodies that moved have left the fat boxes that there are, or will within so many
+  /// updates if they keep their course: some tell.
+  bool are_being_left(const BodyChanges& changes, float updates) const;
   /// Forgets them, and their memory.
   void drop_prepared() { prepared_ = Vector<Aabb>(); }
 
