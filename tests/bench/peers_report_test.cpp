@@ -148,7 +148,7 @@ TEST(PeerChart, OfASceneWithAMotionOfItsOwnHasTwoPanels) {
       results_of(row("peers/stream/pile/1000/own", 10) + row("peers/stream/pile/1000/initial", 20));
   const auto pile = static_cast<std::size_t>(std::find(kPeerScenes.begin(), kPeerScenes.end(), "pile") -
                                              kPeerScenes.begin());
-  const std::string script = chart_script(results, pile, "pile");
+  const std::string script = chart_script(results, pile);
   EXPECT_THAT(script, HasSubstr("layout 1,3"));
   EXPECT_THAT(script, HasSubstr("set title 'as the scene moves'"));
   EXPECT_THAT(script, HasSubstr("set title 'all new'"));
@@ -218,8 +218,8 @@ TEST(PeerPages, OfTheProjectHaveTheirMarks) {
 }
 
 TEST(PeerChart, DrawsEveryExactPeerOfTheSceneOnce) {
-  const std::string script = chart_script(results_of(two_cells()), 0, "uniform");
-  EXPECT_THAT(script, HasSubstr("set output 'uniform.png'"));
+  const std::string script = chart_script(results_of(two_cells()), 0);
+  EXPECT_THAT(script, HasSubstr("set terminal pngcairo"));
   EXPECT_THAT(script, HasSubstr("1000 4e-05\n"));  // `quick`, in seconds
   EXPECT_THAT(script, HasSubstr("title 'memory''s limit'"));
   EXPECT_THAT(script, HasSubstr("scene uniform"));

@@ -125,19 +125,19 @@ std::string key_panel(const std::vector<std::string>& peers) {
 
 }  // namespace
 
-std::string chart_script(const PeerResults& results, std::size_t scene, std::string_view name) {
+std::string chart_script(const PeerResults& results, std::size_t scene) {
   const std::vector<std::string> peers = drawn_peers(results);
-  std::string script = text("# Draws ", name, ".png: gnuplot ", name, ".gnuplot\n", kStyle);
+  std::string script(kStyle);
   // Five panels and the key, or two.
   const bool many = moves_as_told(scene);
-  script += text("set terminal pngcairo size 1500,", many ? 960 : 520,
-                 " font 'sans,12' background '#ffffff'\nset output '", name, ".png'\n");
+  script +=
+      text("set terminal pngcairo size 1500,", many ? 960 : 520, " font 'sans,12' background '#ffffff'\n");
   script += text("set multiplot layout ", many ? "2,3" : "1,3", " title \"time of a frame, scene ",
                  kPeerScenes[scene], ", over the number of bodies (both logarithmic)\" font ',17'\n");
   for (std::size_t mode = 0; mode < kPeerModes.size(); ++mode) {
     if (has_mode(scene, kPeerModes[mode].mode)) script += panel(results, peers, scene, mode);
   }
-  return script + key_panel(peers) + "unset multiplot\nunset output\n";
+  return script + key_panel(peers) + "unset multiplot\n";
 }
 
 }  // namespace cellsweep::bench

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.h"
 #include "bench/peers/chart/chart_script.h"
 #include "bench/peers/chart/pages.h"
 #include "bench/peers/chart/tables.h"
@@ -32,6 +33,8 @@ struct Settings {
   bool docs = false;
 };
 
+constexpr std::string_view kEndOfPng = "IEND\xae\x42\x60\x82";
+
 Status read_all(const Settings& settings, PeerResults& results) {
   for (const std::string& file : settings.files) {
     const Result<std::string> json = report::read_text_file(file);
@@ -44,11 +47,14 @@ Status read_all(const Settings& settings, PeerResults& results) {
 Status draw_all(const Settings& settings, const PeerResults& results) {
   for (std::size_t scene = 0; scene < kPeerScenes.size(); ++scene) {
     const std::string name(kPeerScenes[scene]);
-    const std::filesystem::path script = settings.out / (name + ".gnuplot");
-    if (Status status = report::write_text_file(script, chart_script(results, scene, name)); !status.ok()) {
+    const std::string script = chart_script(results, scene);
+    const auto chart = report::run_gnuplot(name + ".gnuplot", script, kEndOfPng);
+    if (!chart) return chart.status();
+    const std::string alone = text("# gnuplot ", name, ".gnuplot >", name, ".png\n", script);
+    if (Status status = report::write_text_file(settings.out / (name + ".gnuplot"), alone); !status.ok())
       return status;
-    }
-    if (Status status = report::run_gnuplot(script); !status.ok()) return status;
+    if (Status status = report::write_text_file(settings.out / (name + ".png"), *chart); !status.ok())
+      return status;
   }
   return {};
 }
