@@ -28,6 +28,9 @@ constexpr std::array<std::string_view, 10> kAfterParameters = {
 constexpr std::array<std::string_view, 19> kBeforeOperands = {
     "=", "(", ",", "?", "+", "-", "*", "/", "%", "|", "^", "~", "!", "&", "[", "==", "!=", "|=", "&="};
 
+/// Words that say the type of an operand, which only the compiler knows.
+constexpr std::array<std::string_view, 4> kTypeOf = {"decltype", "typeof", "__typeof__", "__typeof"};
+
 constexpr std::array<std::string_view, 2> kVectorCasts = {"static_cast", "reinterpret_cast"};
 
 class Casts {
@@ -60,11 +63,16 @@ class Casts {
   }
   bool is_word(std::size_t at) const { return at < tokens_.size() && tokens_[at].kind == Token::Kind::word; }
 
-  /// A vector type, or one that the compiler may find to be one where it makes a function of a template.
+  /// A vector type, or one that the compiler may find to be one: where it makes a function of a template, or
+  /// knows the type of an operand.
   std::optional<VectorType> type_at(std::size_t at) const {
     if (auto type = types_.at(at)) return type;
     if (text(at) == "const") return type_at(at + 1);
     if (at < tokens_.size() && parameters_.is_one(at)) return VectorType{std::string(text(at)), at + 1};
+    if (is_one_of(text(at), kTypeOf) && text(at + 1) == "(") {
+      const std::size_t end = nesting_.partner(at + 1) + 1;
+      return VectorType{source_between(tokens_[at].begin, tokens_[end - 1].end()), end};
+    }
     if (text(at) != "typename") return std::nullopt;
     const std::size_t end = qualified_end(text(at + 1) == "::" ? at + 2 : at + 1);
     return VectorType{source_between(tokens_[at].begin, tokens_[end - 1].end()), end};
@@ -207,11 +215,15 @@ class Casts {
   /// Tokens first to last say the type; the operand lies between them and `end`.
   void replace(std::size_t first, std::size_t last, const std::string& type, std::size_t end) {
     const std::size_t behind = tokens_[end - 1].end();
-    // In C a macro, which is read when this is done.
-    const std::string call =
-        language_ == Language::cpp ? "spu_emu::cast< " + type + ">(" : "spu_emu_cast_" + type + "(";
-    edits_.replace(tokens_[first].begin, tokens_[last].end(), call);
+    edits_.replace(tokens_[first].begin, tokens_[last].end(), call_to(type));
     edits_.insert(behind, ")");
+  }
+
+  /// In C a macro, which is read when this is done.
+  std::string call_to(const std::string& type) const {
+    if (language_ == Language::cpp) return "spu_emu::cast< " + type + ">(";
+    const bool is_name = type.find('(') == std::string::npos;
+    return is_name ? "spu_emu_cast_" + type + "(" : "spu_emu_cast_as(" + type + ", ";
   }
 
   const std::vector<Token>& tokens_;

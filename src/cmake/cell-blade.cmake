@@ -9,16 +9,8 @@ set(CMAKE_CXX_FLAGS_INIT "-mcpu=cell -maltivec")
 # A blade's C++ library is older than the compiler's.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static-libstdc++ -static-libgcc")
 
-set(CMAKE_FIND_ROOT_PATH /usr/powerpc64-linux-gnu)
-set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
-set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
-
-# Packages without compiled code serve every processor; of the build machine's others none may be found.
-set(Eigen3_DIR /usr/share/eigen3/cmake CACHE PATH "Eigen's CMake package")
-set(CLI11_DIR /usr/share/cmake/CLI11 CACHE PATH "CLI11's CMake package")
-set(nlohmann_json_DIR /usr/share/cmake/nlohmann_json CACHE PATH "nlohmann-json's CMake package")
+set(target_folder /usr/powerpc64-linux-gnu)
+include(${CMAKE_CURRENT_LIST_DIR}/cross.cmake)
 
 # Of qemu's processors with AltiVec this is the oldest whose dcbz clears the 128 bytes that a Cell's does: in user mode
 # the 970's clears 32, which the C library does not expect.

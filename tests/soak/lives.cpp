@@ -23,7 +23,7 @@ using contract::Random;
 
 constexpr std::size_t kBodies[] = {1, 2, 3, 7, 16, 33, 100, 250};
 /// For the scenes, of engines that hold more: `stream` has another way for small worlds.
-constexpr std::size_t kSceneBodies[] = {60, 200, 700, 3000};
+constexpr std::size_t kSceneBodies[] = {60, 200, 700, 4000};
 constexpr int kSteps = 40;
 constexpr std::size_t kFrames = 25;
 constexpr std::size_t kBytes = 400;

@@ -96,6 +96,14 @@ TEST(Translate, casts_to_parameters_of_templates_are_those_to_what_they_stand_fo
       "template <class T> void f(T t) { x = spu_emu::cast< typename T::wide>(t); p = (T *)q; T (*h)(T); }");
 }
 
+TEST(Translate, casts_to_the_type_of_an_operand_are_those_to_what_the_compiler_finds) {
+  EXPECT_EQ(translated("x = (decltype(a))b + (__typeof__(f(a, b)))-c;"),
+            "x = spu_emu::cast< decltype(a)>(b) + spu_emu::cast< __typeof__(f(a, b))>(-c);");
+  EXPECT_EQ(translated("x = static_cast<decltype(a)>(b); decltype(a) c; n = sizeof(decltype(a));"),
+            "x = spu_emu::cast< decltype(a)>((b)); decltype(a) c; n = sizeof(decltype(a));");
+  EXPECT_EQ(translated("x = (typeof(a))b;", Language::c), "x = spu_emu_cast_as(typeof(a), b);");
+}
+
 TEST(Translate, casts_in_the_style_of_a_function_are_calls_too) {
   EXPECT_EQ(translated("x = vec_uchar16(words) + g(vec_ushort8((vec_int4)y));"),
             "x = spu_emu::cast< vec_uchar16>(words) + g(spu_emu::cast< vec_ushort8>(spu_emu::cast< "

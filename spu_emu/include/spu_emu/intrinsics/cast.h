@@ -36,12 +36,11 @@ SPU_EMU_INLINE vec_uchar16 reordered(vec_uchar16 v) {
 }  // namespace detail
 
 /// What a cast in a translated source calls.
-template <typename To, typename From>
+template <typename To, typename From, std::enable_if_t<!std::is_reference_v<To>, int> = 0>
 SPU_EMU_INLINE constexpr To cast(From value) {
-  static_assert(!std::is_reference_v<To>,
-                "a cast to a template's parameter that is a reference: name the type");
-  if constexpr (detail::is_vector<To> && detail::is_vector<From>) {
-    constexpr int to = detail::lane_bytes<To>;
+  using ToVector = std::remove_cv_t<To>;
+  if constexpr (detail::is_vector<ToVector> && detail::is_vector<From>) {
+    constexpr int to = detail::lane_bytes<ToVector>;
     constexpr int from = detail::lane_bytes<From>;
     if constexpr (to == from)
       return (To)value;
@@ -50,6 +49,16 @@ SPU_EMU_INLINE constexpr To cast(From value) {
   } else {
     return (To)value;
   }
+}
+
+/// To a type that turns out to be a reference: of the same kind of vector, or to what is none.
+template <typename To, typename From, std::enable_if_t<std::is_reference_v<To>, int> = 0>
+SPU_EMU_INLINE constexpr To cast(From&& value) {
+  using ToVector = std::remove_cv_t<std::remove_reference_t<To>>;
+  using FromVector = std::remove_cv_t<std::remove_reference_t<From>>;
+  static_assert(!detail::is_vector<ToVector> || std::is_same_v<ToVector, FromVector>,
+                "a reference to a vector of another type: its bytes would be in another order");
+  return (To)value;
 }
 
 }  // namespace spu_emu

@@ -61,5 +61,8 @@ int main(unsigned long long, unsigned long long, unsigned long long) {
   if (!counts_up(seen_as<vec_ushort8>(words), 0) || !counts_up(seen_as<vec_double2>(constant), 16)) return 14;
   if (seen_as<int>(3.75F) != 3 || seen_as<const unsigned char*>(&words) == nullptr) return 15;
   if (!counts_up(Halves(words), 0) || spu_extract(Holder<vec_uint4>{words}.halves(), 7) != 0x0e0f) return 16;
+  const vec_uchar16 as_mixed = (decltype(mixed))words + (__typeof__(mixed))spu_splats((unsigned short)0);
+  const vec_uint4& same = static_cast<decltype((words))>(words);
+  if (!counts_up(as_mixed, 0) || (decltype(is_low))spu_extract(same, 0) != true) return 18;
   return counts_up(mixed, 0) ? 42 : 17;
 }

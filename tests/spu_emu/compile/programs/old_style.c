@@ -37,6 +37,7 @@ unsigned long long speid, argp, envp;
   if (spu_extract(mixed, 0) != 0x00010203 || spu_extract(mixed, 2) != 3) return 1;
   if (spu_extract(bytes_of(words), 5) != 5) return 2;
   if (spu_extract((vector unsigned short)words, 3) != 0x0607) return 3;
+  if (spu_extract((__typeof__(bytes_of(words)))words, 6) != 6 || (__typeof__(vector))3.75f != 3) return 9;
   if (si_to_uint(si_ai((qword)words, 4)) != 0x00010207) return 4;
   f = spu_sel(f, spu_madd(f, f, f), spu_cmpgt(f, spu_splats(1.0f)));
   if (spu_extract(f, vector) != 3.75f) return 5;
