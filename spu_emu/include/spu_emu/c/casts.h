@@ -27,7 +27,6 @@
 #define spu_emu_cast_qword(...) SPU_EMU_TO_QWORD(__VA_ARGS__)
 
 // A cast to __typeof__(x), which may be no vector; then the branch that is not chosen must be one that a compiler takes.
-qword spu_emu_qword_of_no_vector() __attribute__((error("a cast to a vector type of what is no vector")));
 #define SPU_EMU_IS_VECTOR(type) , type : 1
 #define SPU_EMU_FROM_QWORD(type) , type : spu_emu_##type##_of_qword
 #define SPU_EMU_ANY_TO_QWORD(...)                                                               \
