@@ -273,7 +273,10 @@ bool encloses(const Aabb& outer, const Aabb& inner) {
 }
 
 TEST(Simulation, ShowsAFatBoxAroundEachBodyOfStreamAndNoneOfOtherEngines) {
-  const auto simulation = made(scene(60));
+  SimulationSettings settings = scene(60);
+  settings.settings = {
+      {"margin", "0.01"}};  // without one a small world in motion has neither fat boxes nor cells
+  const auto simulation = made(settings);
   step(*simulation, 5);
   const auto view = simulation->stream_view();
   ASSERT_TRUE(view.has_value());

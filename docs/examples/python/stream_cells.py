@@ -56,7 +56,7 @@ finish(figure, axes, (0, 100), "stream-cells.png")
 # Bodies that move: each in the fat box that it may move in before anybody looks at the cells again.
 middles = 12 * rng.random((60, 2))
 way = rng.normal(0, 0.03, (60, 2))
-world = cellsweep.World()
+world = cellsweep.World(margin=0.01)  # so few bodies have fat boxes only where a margin is asked for, if most of them move
 ids = world.add(flat_boxes(middles, 0.5))
 world.update()
 for step in range(1, 12):

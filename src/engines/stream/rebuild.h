@@ -34,19 +34,19 @@ class Rebuild {
   std::size_t go_on(const BodyChanges& changes, std::size_t escaped, const Cost& cost);
 
   /// An update used what was prepared.
-  void note_used(std::size_t bodies);
+  [[gnu::cold]] void note_used(std::size_t bodies);
   /// An update has found everything anew: what was prepared is of no use. It may hold the candidates that the
   /// update compared with, so not before that.
-  void note_full();
+  [[gnu::cold]] void note_full();
 
   /// Forgets what was prepared, and its memory.
-  void drop();
+  [[gnu::cold]] void drop();
 
  private:
   /// What of it is done.
   enum Stage { kNothing, kBegun, kFatBoxes, kListed, kFilled, kCells, kAll };
 
-  bool begin(const BodyChanges& changes);
+  [[gnu::cold]] bool begin(const BodyChanges& changes);
   void prepare_until(double due, const BodyChanges& changes);
   bool prepare_fat_boxes(double due, const BodyChanges& changes);
   bool prepare_cells(double due);

@@ -13,14 +13,14 @@ namespace cellsweep::stream {
 class Watch {
  public:
   /// Chooses bodies among those that move in this update, and sees them for the first time.
-  void begin(const BodyChanges& changes);
+  [[gnu::cold]] void begin(const BodyChanges& changes);
 
   /// Sees them again, in each update that follows. False when one of them is not there any more: then
   /// begin() is to follow.
   bool see(const BodyChanges& changes);
 
   /// Whether at least half of them are not on their way: they stopped, or go to and fro.
-  bool most_stay() const;
+  [[gnu::cold]] bool most_stay() const;
 
  private:
   struct Body {

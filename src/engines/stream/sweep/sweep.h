@@ -54,7 +54,7 @@ class Sweep {
   };
 
   bool knows_where(std::span<const Aabb> boxes) const;
-  void learn(std::span<const Aabb> boxes);
+  [[gnu::cold]] void learn(std::span<const Aabb> boxes);
   std::uint32_t sort(std::span<const Aabb> boxes);
   std::uint32_t make_rows(std::span<const Aabb> boxes);
   void sort_rows(std::uint32_t count);
