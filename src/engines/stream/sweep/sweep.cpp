@@ -72,16 +72,16 @@ bool Sweep::find(const Kernels& kernels, std::span<const Aabb> boxes, Keys& foun
 
 // As far as a few of them tell: most must not lie at the ends of an axis.
 bool Sweep::knows_where(std::span<const Aabb> boxes) const {
-  constexpr std::size_t kLooks = 32;
+  constexpr std::size_t kLookedAt = 32;
   if (sweeps_ == 0 || sweeps_ >= tuning::kSweepsOfSample || boxes.size() != slots_known_) return false;
   const Int4 top = __builtin_convertvector(map_.top, Int4);
   std::size_t beyond = 0;
-  for (std::size_t slot = 0; slot < boxes.size(); slot += boxes.size() / kLooks + 1) {
+  for (std::size_t slot = 0; slot < boxes.size(); slot += boxes.size() / kLookedAt + 1) {
     const BoxLanes box(boxes[slot]);
     const Int4 is_beyond = ((map_(box.min) == top) | (map_(box.max) == 0)) & (map_.scale > 0);
     beyond += (is_beyond[0] | is_beyond[1] | is_beyond[2]) != 0 ? 1 : 0;
   }
-  return beyond < kLooks / 4;
+  return beyond < kLookedAt / 4;
 }
 
 // How many there are.
