@@ -111,7 +111,8 @@ TEST_P(QuestionFaults, WithoutThreadsDoWithout) {
     };
     faults += starve_each(Scarce::threads, lasts, begin, ask_all, look);
   }
-  EXPECT_TRUE(faults > 0 || GetParam().label != "stream_with_three_threads_and_a_margin") << "no thread was started";
+  EXPECT_TRUE(faults > 0 || GetParam().label != "stream_with_three_threads_and_a_margin")
+      << "no thread was started";
 }
 
 TEST_P(QuestionFaults, WithoutMemoryForTheTreeGoOnAndItIsMadeWhenItIsAskedForAgain) {

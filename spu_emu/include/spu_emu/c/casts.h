@@ -26,22 +26,22 @@
 #define spu_emu_cast_vec_double2(...) spu_emu_vec_double2_of_qword(SPU_EMU_TO_QWORD(__VA_ARGS__))
 #define spu_emu_cast_qword(...) SPU_EMU_TO_QWORD(__VA_ARGS__)
 
-// A cast to __typeof__(x), which may be no vector; then the branch that is not chosen must be one that a compiler takes.
+// A cast to __typeof__(x), which may be no vector; then the branch that is not chosen must be one that a
+// compiler takes.
 #define SPU_EMU_IS_VECTOR(type) , type : 1
 #define SPU_EMU_FROM_QWORD(type) , type : spu_emu_##type##_of_qword
-#define SPU_EMU_ANY_TO_QWORD(...)                                                               \
-  __extension__({                                                                               \
-    __auto_type spu_emu_operand = (__VA_ARGS__);                                                \
-    _Generic(spu_emu_operand, qword                                                             \
-             : spu_emu_qword_of_qword SPU_EMU_EVERY_VECTOR(SPU_EMU_CHOICE), default             \
-             : spu_emu_qword_of_no_vector)(spu_emu_operand);                                    \
+#define SPU_EMU_ANY_TO_QWORD(...)                                                   \
+  __extension__({                                                                   \
+    __auto_type spu_emu_operand = (__VA_ARGS__);                                    \
+    _Generic(spu_emu_operand, qword                                                 \
+             : spu_emu_qword_of_qword SPU_EMU_EVERY_VECTOR(SPU_EMU_CHOICE), default \
+             : spu_emu_qword_of_no_vector)(spu_emu_operand);                        \
   })
-#define spu_emu_cast_as(type, ...)                                                                             \
-  __builtin_choose_expr(                                                                                       \
-      _Generic(*(type*)0, qword : 1 SPU_EMU_EVERY_VECTOR(SPU_EMU_IS_VECTOR), default : 0),                     \
-      _Generic(*(type*)0, qword                                                                                \
-               : spu_emu_qword_of_qword SPU_EMU_EVERY_VECTOR(SPU_EMU_FROM_QWORD), default                      \
-               : spu_emu_qword_of_qword)(SPU_EMU_ANY_TO_QWORD(__VA_ARGS__)),                                   \
-      (type)(__VA_ARGS__))
+#define spu_emu_cast_as(type, ...)                                                                           \
+  __builtin_choose_expr(_Generic(*(type*)0, qword : 1 SPU_EMU_EVERY_VECTOR(SPU_EMU_IS_VECTOR), default : 0), \
+                        _Generic(*(type*)0, qword                                                            \
+                                 : spu_emu_qword_of_qword SPU_EMU_EVERY_VECTOR(SPU_EMU_FROM_QWORD), default  \
+                                 : spu_emu_qword_of_qword)(SPU_EMU_ANY_TO_QWORD(__VA_ARGS__)),               \
+                        (type)(__VA_ARGS__))
 
 #endif

@@ -35,7 +35,8 @@ typedef struct {
   extern type spu_emu_##type##_of_qword(qword value);
 SPU_EMU_EVERY_VECTOR(SPU_EMU_DECLARE_CASTS)
 extern qword spu_emu_qword_of_qword(qword value);
-extern qword spu_emu_qword_of_no_vector() __attribute__((error("a cast to a vector type of what is no vector")));
+extern qword spu_emu_qword_of_no_vector()
+    __attribute__((error("a cast to a vector type of what is no vector")));
 #undef SPU_EMU_DECLARE_CASTS
 
 // Tells spu-emu-compile that the source uses intrinsics.
