@@ -26,7 +26,8 @@ struct StreamOptions {
 
   /// How far a body may move about, in world units, without a look at its neighbourhood: its fat box reaches
   /// so far beyond it on all sides once it has moved. More saves work where bodies tremble and costs some
-  /// where they are dense; pairs are exact all the same. 0: what it finds to pay by how each body moves.
+  /// where they are dense; pairs are exact all the same. 0: what it finds to pay by how each body moves, and
+  /// no fat boxes in a small world in motion.
   float margin = 0;
 
   /// The most pairs that there may be; 0 for no limit. An update() that finds more stops there and returns

@@ -14,9 +14,11 @@ namespace cellsweep {
 
 /// As of the last update().
 struct StreamView {
-  /// One a body, in any order: the box around it that it may move in before its pairs are searched anew.
+  /// One a body, in any order: the box around it that it may move in before its pairs are searched anew. In a
+  /// small world in motion, where that is done in every update, the body's own box.
   std::vector<Aabb> fat_boxes;
-  /// The cells that bodies are in, within each other where one was crowded, in any order.
+  /// The cells that bodies are in, within each other where one was crowded, in any order. None while a small
+  /// world has been swept instead.
   std::vector<Aabb> cells;
 };
 

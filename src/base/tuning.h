@@ -80,11 +80,12 @@ inline constexpr std::uint32_t kLastsAtLeast = 4;
 /// be is told by a difference of two numbers, which is not exact. EPYC, uniform 100,000.
 inline constexpr float kSlackOfLater = 1.0F / 256;
 /// Where more than one in so many bodies has left its fat box by then, the next ones are made for less, where
-/// fewer than one in so many, for more updates. A body that turns leaves two. EPYC, all four scenes, 10,000
-/// and 100,000, all moving: 8 and 16 take the same in the mean, and 1.7 times as long in the 99th percentile.
+/// fewer than one in so many, for more updates. A body that turns leaves two. EPYC, uniform and varied
+/// 10,000, all moving: 8 and 16 take the same in the mean, and 1.7 times as long in the 99th percentile.
 inline constexpr std::size_t kManyEscaped = 16;
 inline constexpr std::size_t kFewEscaped = 64;
-/// Each time that this was too many updates, it is tried again twice as many times later, at most so many.
+/// Before they are made for more updates again, few must have left theirs so many times in a row at most; the
+/// number doubles each time that this was too many updates.
 inline constexpr std::uint32_t kMostPatience = 64;
 
 // --- cells
