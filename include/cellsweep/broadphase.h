@@ -81,8 +81,10 @@ class CELLSWEEP_API Broadphase final {
   Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
                 std::span<const BodyFilter> filters);
 
-  /// Adds bodies whose ids the library hands out, into the caller's `ids`: as small as there are, none that
-  /// is in use, and none whose pairs have not been reported as ended. Errors: those of insert().
+  /// Adds bodies whose ids the library hands out, into the caller's `ids`: none that is in use, none whose
+  /// pairs have not been reported as ended, and all below the most bodies that there were at a time, those
+  /// that wait for the update which ends their pairs among them; below twice that where the caller chose ids
+  /// or changed filters, too. Errors: those of insert().
   Status add(std::span<const Aabb> boxes, std::span<BodyId> ids);
   Result<BodyId> add(const Aabb& box);
 

@@ -124,7 +124,7 @@ AssertionResult CheckedEngine::insert(const std::vector<BodyId>& ids, const std:
                            : engine_.insert(with.ids, with.boxes);
   });
   count_bodies(ids.size());
-  own_ids_ = own_ids_ || !ids.empty();
+  ids_are_slots_ = ids_are_slots_ && ids.empty();
   for (std::size_t i = 0; i < ids.size(); ++i) model_.boxes.emplace(ids[i], canonical_box(boxes[i]));
   return accepted("insert", status);
 }
@@ -134,7 +134,7 @@ AssertionResult CheckedEngine::insert(const std::vector<BodyId>& ids, const std:
   const Arguments with{ids, boxes, filters};
   const Status status = call_engine([&] { return engine_.insert(with.ids, with.boxes, with.filters); });
   count_bodies(ids.size());
-  own_ids_ = own_ids_ || !ids.empty();
+  ids_are_slots_ = ids_are_slots_ && ids.empty();
   for (std::size_t i = 0; i < ids.size(); ++i) {
     model_.boxes.emplace(ids[i], canonical_box(boxes[i]));
     model_.filters[ids[i]] = filters[i];
@@ -153,6 +153,7 @@ AssertionResult CheckedEngine::set_filters(const std::vector<BodyId>& ids,
   for (std::size_t i = 0; i < ids.size(); ++i) model_.filters[ids[i]] = filters[i];
   removed_ += ids.size();
   count_bodies(0);
+  ids_are_slots_ = ids_are_slots_ && ids.empty();
   return accepted("set_filters", status);
 }
 
@@ -285,12 +286,12 @@ AssertionResult CheckedEngine::boxes_are_kept() {
 }
 
 // Small: below the most bodies that there were at a time, those that have gone since the last update among
-// them; twice that where the caller chose ids, too.
+// them; twice that where the caller chose ids or changed filters, too.
 AssertionResult CheckedEngine::ids_are_right(const std::vector<BodyId>& ids) const {
   std::vector<BodyId> sorted = ids;
   std::ranges::sort(sorted);
   if (std::ranges::adjacent_find(sorted) != sorted.end()) return failure() << "add() gives an id twice";
-  const std::size_t bound = own_ids_ ? 2 * most_bodies_ : most_bodies_;
+  const std::size_t bound = ids_are_slots_ ? most_bodies_ : 2 * most_bodies_;
   for (const BodyId id : sorted) {
     if (model_.boxes.contains(id)) return failure() << "add() gives body " << id << ", which is held";
     if (model_.is_in_pairs(id)) return failure() << "add() gives " << id << " before its pairs have ended";

@@ -126,7 +126,7 @@ class CheckedEngine {
   Model model_;
   std::size_t removed_ = 0;      // since the last update, those that none has seen among them
   std::size_t most_bodies_ = 0;  // at a time, the removed ones among them
-  bool own_ids_ = false;         // the caller chose some
+  bool ids_are_slots_ = true;    // nobody chose an id or changed a filter
   Answer answer_;                ///< copies of what was given
   /// The memory that was handed out, valid until the next update().
   std::optional<PairChanges> handed_;

@@ -32,7 +32,7 @@ constexpr int kMostCalls = 100;
 constexpr std::size_t kFew = 40;
 /// Boxes of one call that are spelt out byte by byte; any more come from a seed.
 constexpr std::size_t kMostSpelt = 24;
-/// Boxes of one call that may be of any kind.
+/// Bodies of a world in which new boxes may be of any kind.
 constexpr std::size_t kMostOfAnyKind = 300;
 /// What an engine with a limit on pairs may find.
 constexpr std::uint64_t kFewPairs = 100;
@@ -57,10 +57,16 @@ class Bytes {
   std::span<const std::uint8_t> left_;
 };
 
+/// Each machine has `best` and `portable`; one that lacks another has `best` in its place.
+VectorIsa isa_of(unsigned byte) {
+  if ((byte & 4U) != 0) return (byte & 32U) == 0 ? VectorIsa::portable : VectorIsa::sse41;
+  return (byte & 32U) == 0 ? VectorIsa::best : VectorIsa::avx2;
+}
+
 StreamOptions options_of(unsigned byte) {
   constexpr float kMargins[] = {0, 0, 0.25F, 100};
   StreamOptions options{.threads = 1, .margin = kMargins[byte & 3U]};
-  if ((byte & 4U) != 0) options.isa = VectorIsa::portable;
+  options.isa = isa_of(byte);
   if ((byte & 8U) != 0) {
     options.threads = contract::kConcurrency;
     options.executor = std::make_shared<contract::SequentialExecutor>();
@@ -108,8 +114,12 @@ class ByteCaller {
   }
 
  private:
-  static Broadphase made(const StreamOptions& options) {
+  static Broadphase made(StreamOptions options) {
     Result<Broadphase> broadphase = make_broadphase(options);
+    if (!broadphase && options.isa != VectorIsa::best) {
+      options.isa = VectorIsa::best;
+      broadphase = make_broadphase(options);
+    }
     if (!broadphase) throw std::runtime_error(broadphase.status().message);
     return std::move(*broadphase);
   }
@@ -253,7 +263,8 @@ class ByteCaller {
     if (kind >= kinds.size() && count <= kMostSpelt) return spelt_boxes(count);
     Random random(bytes_.next());
     // Millions of pairs of a kind whose boxes all overlap would be the oracle's work, and nobody's else.
-    const bool few_pairs = count > kMostOfAnyKind || kind >= kinds.size();
+    const std::size_t bodies = engine_.model().boxes.size() + count;
+    const bool few_pairs = bodies > kMostOfAnyKind || kind >= kinds.size();
     return contract::make_boxes(few_pairs ? contract::box_kind("uniform") : kinds[kind], random, count);
   }
 

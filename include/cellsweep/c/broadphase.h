@@ -74,8 +74,9 @@ CELLSWEEP_API uint64_t cellsweep_capacity(const cellsweep_broadphase* broadphase
 CELLSWEEP_API cellsweep_status cellsweep_insert(cellsweep_broadphase* broadphase, cellsweep_ids ids,
                                                 cellsweep_boxes boxes, cellsweep_filters filters,
                                                 cellsweep_failure* failure);
-/// Adds bodies whose ids the library hands out, into `ids`, which has room for one a box: as small as there
-/// are, none that is in use, and none whose pairs have not been reported as ended. Errors: those of
+/// Adds bodies whose ids the library hands out, into `ids`, which has room for one a box: none that is in
+/// use, none whose pairs have not been reported as ended, and all below the most bodies that there were at a
+/// time, or below twice that where the caller chose ids or changed filters, too. Errors: those of
 /// cellsweep_insert().
 CELLSWEEP_API cellsweep_status cellsweep_add(cellsweep_broadphase* broadphase, cellsweep_boxes boxes,
                                              uint32_t* ids, cellsweep_failure* failure);

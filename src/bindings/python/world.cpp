@@ -208,7 +208,7 @@ CapacityError, InputError, which name ids and rows; nothing has changed then.)")
   world.def(
       "add", add, "boxes"_a, py::kw_only(), "category"_a = py::none(), "mask"_a = py::none(),
       "static"_a = py::none(),
-      R"(Adds bodies whose ids the world hands out: returns them, (n,) uint32, as small as there are.)");
+      R"(Adds bodies whose ids the world hands out: returns them, (n,) uint32, small ones.)");
   world.def("move", move, "ids"_a, "boxes"_a,
             R"(Gives bodies new boxes, in the next update(). Of several for one body the last counts.
 
