@@ -205,10 +205,9 @@ category, mask, static: a number for all or one for each. Two bodies form a pair
 
 Takes effect in the next update(). Raises InvalidBoxError, DuplicateBodyError,
 CapacityError, InputError, which name ids and rows; nothing has changed then.)");
-  world.def(
-      "add", add, "boxes"_a, py::kw_only(), "category"_a = py::none(), "mask"_a = py::none(),
-      "static"_a = py::none(),
-      R"(Adds bodies whose ids the world hands out: returns them, (n,) uint32, small ones.)");
+  world.def("add", add, "boxes"_a, py::kw_only(), "category"_a = py::none(), "mask"_a = py::none(),
+            "static"_a = py::none(),
+            R"(Adds bodies whose ids the world hands out: returns them, (n,) uint32, small ones.)");
   world.def("move", move, "ids"_a, "boxes"_a,
             R"(Gives bodies new boxes, in the next update(). Of several for one body the last counts.
 
