@@ -2,9 +2,11 @@
 
 #include <LinearMath/btAabbUtil2.h>
 
+#include <cmath>
 #include <utility>
 
 #include "proxy_box.h"
+#include "ray_path.h"
 
 using cellsweep::BodyFilter;
 using cellsweep::BodyId;
@@ -80,25 +82,66 @@ void CellsweepBroadphase::getAabb(btBroadphaseProxy* proxy, btVector3& aabb_min,
   aabb_max = proxy->m_aabbMax;
 }
 
+// Bullet's own callback asks so for a ray from a point to itself: NaN is an end that is before everything.
 void CellsweepBroadphase::rayTest(const btVector3& from, const btVector3&, btBroadphaseRayCallback& callback,
                                   const btVector3& aabb_min, const btVector3& aabb_max) {
-  for (const Proxy& proxy : proxies_) {
-    if (!proxy.is_there) continue;
+  if (std::isnan(callback.m_lambda_max)) return;
+  const auto path = path_of(from, callback, aabb_min, aabb_max);
+  for (const Proxy* const proxy : path ? candidates(*path) : everybody()) {
+    if (!proxy->is_there) continue;
     // A box that is cast along the ray makes the others larger.
-    const btVector3 bounds[2] = {proxy.m_aabbMin - aabb_max, proxy.m_aabbMax - aabb_min};
+    const btVector3 bounds[2] = {proxy->m_aabbMin - aabb_max, proxy->m_aabbMax - aabb_min};
     btScalar where = 1;
     if (btRayAabb2(from, callback.m_rayDirectionInverse, callback.m_signs, bounds, where, 0,
                    callback.m_lambda_max))
-      callback.process(&proxy);
+      callback.process(proxy);
   }
 }
 
 void CellsweepBroadphase::aabbTest(const btVector3& aabb_min, const btVector3& aabb_max,
                                    btBroadphaseAabbCallback& callback) {
-  for (const Proxy& proxy : proxies_) {
-    if (proxy.is_there && TestAabbAgainstAabb2(aabb_min, aabb_max, proxy.m_aabbMin, proxy.m_aabbMax))
-      callback.process(&proxy);
+  for (const Proxy* const proxy : candidates(box_of(aabb_min, aabb_max))) {
+    if (proxy->is_there && TestAabbAgainstAabb2(aabb_min, aabb_max, proxy->m_aabbMin, proxy->m_aabbMax))
+      callback.process(proxy);
   }
+}
+
+// Each of these lists has all that may be asked for, once, and some more. It is the question's own, as
+// process() may ask another.
+
+CellsweepBroadphase::Proxies CellsweepBroadphase::candidates(const cellsweep::Path& path) const {
+  std::vector<cellsweep::Touch> touches;
+  if (!has_seen_all_ || !broadphase_.queries().find_touches(path, touches).ok()) return everybody();
+  Proxies proxies;
+  for (const cellsweep::Touch& touch : touches) add_seen(touch.body, proxies);
+  add_unseen(proxies);
+  return proxies;
+}
+
+CellsweepBroadphase::Proxies CellsweepBroadphase::candidates(const cellsweep::Aabb& box) const {
+  std::vector<BodyId> ids;
+  if (!has_seen_all_ || !broadphase_.queries().find_overlaps(box, ids).ok()) return everybody();
+  Proxies proxies;
+  for (const BodyId id : ids) add_seen(id, proxies);
+  add_unseen(proxies);
+  return proxies;
+}
+
+CellsweepBroadphase::Proxies CellsweepBroadphase::everybody() const {
+  Proxies proxies;
+  for (const Proxy& proxy : proxies_) proxies.push_back(&proxy);
+  return proxies;
+}
+
+// The last update saw its box, or it is gone since.
+void CellsweepBroadphase::add_seen(BodyId id, Proxies& proxies) const {
+  const Proxy& proxy = proxies_[id];
+  if (proxy.place == Proxy::kNowhere) proxies.push_back(&proxy);
+}
+
+void CellsweepBroadphase::add_unseen(Proxies& proxies) const {
+  for (const BodyId id : created_) proxies.push_back(&proxies_[id]);
+  for (const BodyId id : moved_) proxies.push_back(&proxies_[id]);
 }
 
 void CellsweepBroadphase::getBroadphaseAabb(btVector3& aabb_min, btVector3& aabb_max) const {
@@ -112,6 +155,7 @@ void CellsweepBroadphase::getBroadphaseAabb(btVector3& aabb_min, btVector3& aabb
 }
 
 void CellsweepBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
+  has_seen_all_ = false;  // also when something is thrown on the way
   status_ = tell_changes();
   if (!status_.ok()) return;
   const auto changes = broadphase_.update();
@@ -119,6 +163,7 @@ void CellsweepBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
     status_ = changes.status();
     return;
   }
+  has_seen_all_ = true;
   for (const cellsweep::Pair& pair : changes->ended) {
     Proxy& one = proxies_[pair.a];
     Proxy& other = proxies_[pair.b];

@@ -5,6 +5,7 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 #include <cellsweep/broadphase.h>
+#include <cellsweep/query.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +44,16 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
                btDispatcher* dispatcher) override;
   void getAabb(btBroadphaseProxy* proxy, btVector3& aabb_min, btVector3& aabb_max) const override;
 
-  /// All boxes, one after the other: these two take time that grows with their number.
+  /// These two call process() once for each whose box, as it is now, meets the ray by btRayAabb2() or the box
+  /// by TestAabbAgainstAabb2(). What it returns is not looked at, as in Bullet's tree; it may ask again.
+  ///
+  /// Fast: they look at what is on the way or in the box, and at what was created or moved since the last
+  /// calculateOverlappingPairs(). As slow as a loop over all boxes: when that was refused, until one is not;
+  /// for a ray or box with NaN or infinity, inside out, or with an end below 0; for a ray that is millions of
+  /// units long.
+  ///
+  /// Those on a ray come nearer ones first, and then what was created or moved. A process() that lowers
+  /// m_lambda_max gets none from then on that begins behind it.
   void rayTest(const btVector3& from, const btVector3& to, btBroadphaseRayCallback& callback,
                const btVector3& aabb_min = {0, 0, 0}, const btVector3& aabb_max = {0, 0, 0}) override;
   void aabbTest(const btVector3& aabb_min, const btVector3& aabb_max,
@@ -66,6 +76,14 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
     std::size_t place = kNowhere;  // among those that moved
   };
 
+  using Proxies = std::vector<const Proxy*>;
+
+  Proxies candidates(const cellsweep::Path& path) const;
+  Proxies candidates(const cellsweep::Aabb& box) const;
+  Proxies everybody() const;
+  void add_seen(cellsweep::BodyId id, Proxies& proxies) const;
+  void add_unseen(Proxies& proxies) const;
+
   Proxy& take_proxy();
   void forget_move(Proxy& proxy);
   cellsweep::Status tell_changes();
@@ -77,6 +95,7 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
 
   cellsweep::Broadphase broadphase_;
   cellsweep::Status status_;
+  bool has_seen_all_ = true;  // that the broadphase was told: its last update was not refused
   btHashedOverlappingPairCache pairs_;
   bool callback_decides_ = false;        // the pair cache's, when filters were last told
   bool offers_all_ = false;              // what one way to decide refused, another may allow

@@ -1,5 +1,5 @@
 /// @file
-/// What cellsweep calls the box and the filter of a proxy of Bullet.
+/// What cellsweep calls a box of Bullet and the filter of a proxy.
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
@@ -7,7 +7,10 @@
 #include <cellsweep/filter.h>
 
 /// Where btScalar is double, rounded to the outside.
-cellsweep::Aabb box_of(const btBroadphaseProxy& proxy);
+cellsweep::Aabb box_of(const btVector3& low, const btVector3& high);
+inline cellsweep::Aabb box_of(const btBroadphaseProxy& proxy) {
+  return box_of(proxy.m_aabbMin, proxy.m_aabbMax);
+}
 
 /// What is in the group of static bodies alone and does not meet it is static.
 cellsweep::BodyFilter filter_of(const btBroadphaseProxy& proxy);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bench/bullet/bullet_world.h"
+#include "bullet_questions.h"
 #include "cellsweep_broadphase.h"
 #include "report/oracle.h"
 #include "world_recorder.h"
@@ -120,6 +121,27 @@ TEST_P(WorldOfBullet, HasThePairsThatBulletsTreeFindsThroughAThousandFrames) {
     seen += expected.size();
   }
   EXPECT_GT(seen, static_cast<std::size_t>(3 * kFrames));
+}
+
+BulletProxies proxies_of(const BulletWorld& world) {
+  BulletProxies proxies;
+  for (const auto& body : world.bodies()) proxies.push_back(body->getBroadphaseProxy());
+  return proxies;
+}
+
+// After bodies came and went, after all boxes were given anew, and after the pairs were found.
+TEST_P(WorldOfBullet, AnswersQuestionsAsALoopDoesAtAnyTime) {
+  BulletWorld world(GetParam(), 120, std::make_unique<CellsweepBroadphase>());
+  BulletQuestions questions(11);
+  for (int frame = 0; frame < kFrames / 2; ++frame) {
+    if (frame % 3 == 0) world.spawn_cube();
+    if (frame % 3 == 1) world.remove(questions.below(world.bodies().size()));
+    ASSERT_TRUE(questions.ask(world.broadphase(), proxies_of(world))) << "before frame " << frame;
+    world.dynamics().updateAabbs();
+    ASSERT_TRUE(questions.ask(world.broadphase(), proxies_of(world))) << "in frame " << frame;
+    world.step();
+    ASSERT_TRUE(questions.ask(world.broadphase(), proxies_of(world))) << "after frame " << frame;
+  }
 }
 
 TEST_P(WorldOfBullet, LeavesATraceWithThePairsOfEveryFrame) {
