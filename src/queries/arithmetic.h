@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cellsweep/query.h"
+#include "geometry/canonical.h"
 
 namespace cellsweep::queries {
 
@@ -30,31 +31,65 @@ inline double distance_of(const Aabb& one, const Aabb& other) {
 class Cast {
  public:
   explicit Cast(const Path& path) : path_(path) {
+    path_.box = canonical(path.box);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double d = path.direction[axis];
-      if (std::fabs(d) > 0x1p-500) inverse_[axis] = 1 / d;
+      const double sides[2] = {path_.box.max[axis], path_.box.min[axis]};
+      const std::size_t goes_down = d < 0 ? 1 : 0;
+      axes_[axis].near = axis + 3 * goes_down;
+      axes_[axis].far = axis + 3 * (1 - goes_down);
+      axes_[axis].front = sides[goes_down];
+      axes_[axis].back = sides[1 - goes_down];
+      if (std::fabs(d) > 0x1p-500) {
+        axes_[axis].inverse = 1 / d;
+      } else {
+        moves_on_all_ = false;
+      }
     }
   }
 
   const Path& path() const { return path_; }
+  /// Of the direction on an axis; 0 where that is 0, or nearly so.
+  double inverse(std::size_t axis) const { return axes_[axis].inverse; }
 
   /// When the path touches a box first, if it does up to `end`.
   std::optional<double> touch(const Aabb& box, double end) const {
-    if (misses(box, end)) return std::nullopt;
+    if (misses(about(box, end))) return std::nullopt;
     return touch_exactly(box, end);
+  }
+
+  /// Whether touch() finds a time.
+  bool touches(const Aabb& box, double end) const {
+    const Times times = about(box, end);
+    if (misses(times)) return false;
+    if (moves_on_all_ && times.enter * (1 + 2 * kSlack) <= times.leave * (1 - 2 * kSlack)) return true;
+    return touch_exactly(box, end).has_value();
   }
 
  private:
   static constexpr double kSlack = 0x1p-51;
 
-  /// What the path has to go on an axis until it meets a box, and until it has passed it, when it goes up.
-  struct Gaps {
-    double before;
-    double behind;
+  /// What a box has on an axis at the side that the path comes to first, and the path at that which comes
+  /// first: numbers of faces, for what is known by them needs no choice at each box.
+  struct Axis {
+    std::size_t near = 0;
+    std::size_t far = 0;
+    double front = 0;
+    double back = 0;
+    double inverse = 0;
   };
-  Gaps gaps_on(const Aabb& box, std::size_t axis) const {
-    return {double{box.min[axis]} - path_.box.max[axis], double{box.max[axis]} - path_.box.min[axis]};
+  /// When a path has come to a box on all axes, and when it has left it on one.
+  struct Times {
+    double enter;
+    double leave;
+  };
+
+  static double face(const Aabb& box, std::size_t number) {
+    return reinterpret_cast<const float*>(&box)[number];
   }
+  // What the path has to go until it meets a box, and until it has passed it.
+  static double gap_before(const Axis& axis, const Aabb& box) { return face(box, axis.near) - axis.front; }
+  static double gap_behind(const Axis& axis, const Aabb& box) { return face(box, axis.far) - axis.back; }
 
   std::optional<double> touch_exactly(const Aabb& box, double end) const {
     double enter = 0;
@@ -62,42 +97,43 @@ class Cast {
     double first = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double d = path_.direction[axis];
-      const Gaps gaps = gaps_on(box, axis);
+      const double before = gap_before(axes_[axis], box);
+      const double behind = gap_behind(axes_[axis], box);
       if (d == 0) {
-        if (gaps.before > 0 || gaps.behind < 0) return std::nullopt;
+        if (before > 0 || behind < 0) return std::nullopt;
         continue;
       }
-      const double from = (d > 0 ? gaps.before : gaps.behind) / d;
+      const double from = before / d;
       first = std::max(first, from);
       enter = std::max(enter, earlier(from, kSlack));
-      leave = std::min(leave, later((d > 0 ? gaps.behind : gaps.before) / d, kSlack));
+      leave = std::min(leave, later(behind / d, kSlack));
     }
     if (enter > leave) return std::nullopt;
     return first;
   }
 
-  // Nearly all boxes that it does not touch, without a division.
-  bool misses(const Aabb& box, double end) const {
-    double enter = 0;
-    double leave = end;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (inverse_[axis] == 0) continue;
-      const Gaps gaps = gaps_on(box, axis);
-      const double one = gaps.before * inverse_[axis];
-      const double other = gaps.behind * inverse_[axis];
-      const double from = one < other ? one : other;
-      const double to = one < other ? other : one;
-      enter = from > enter ? from : enter;
-      leave = to < leave ? to : leave;
+  // Without a division: off by less than kSlack.
+  Times about(const Aabb& box, double end) const {
+    Times times{0, end};
+    for (const Axis& axis : axes_) {
+      if (axis.inverse == 0) continue;
+      times.enter = std::max(times.enter, gap_before(axis, box) * axis.inverse);
+      times.leave = std::min(times.leave, gap_behind(axis, box) * axis.inverse);
     }
-    return leave < 0 || enter * (1 - 2 * kSlack) > leave * (1 + 2 * kSlack);
+    return times;
+  }
+
+  // Nearly all boxes that it does not touch.
+  static bool misses(const Times& about) {
+    return about.leave < 0 || about.enter * (1 - 2 * kSlack) > about.leave * (1 + 2 * kSlack);
   }
 
   static double earlier(double time, double slack) { return time * (time > 0 ? 1 - slack : 1 + slack); }
   static double later(double time, double slack) { return time * (time > 0 ? 1 + slack : 1 - slack); }
 
   Path path_;
-  std::array<double, 3> inverse_{};  // of the direction, but where that is 0 or nearly so
+  std::array<Axis, 3> axes_;
+  bool moves_on_all_ = true;
 };
 
 }  // namespace cellsweep::queries

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cellsweep/query.h"
+#include "queries/short_sort.h"
 
 namespace cellsweep::queries {
 
@@ -42,7 +43,10 @@ class NearestList {
     if (found_.size() == count_) most_ = found_.front().distance;
   }
 
-  void sort() { std::ranges::sort_heap(found_, comes_before); }
+  void sort() {
+    sort_answers(
+        std::span(found_), [](const Neighbor& neighbor) { return neighbor.distance; }, comes_before);
+  }
 
   static bool comes_before(const Neighbor& one, const Neighbor& other) {
     return one.distance != other.distance ? one.distance < other.distance : one.body < other.body;
