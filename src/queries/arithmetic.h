@@ -30,27 +30,39 @@ inline double distance_of(const Aabb& one, const Aabb& other) {
 /// A path, and when it touches boxes.
 class Cast {
  public:
-  explicit Cast(const Path& path) : path_(path) {
-    path_.box = canonical(path.box);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double d = path.direction[axis];
-      const double sides[2] = {path_.box.max[axis], path_.box.min[axis]};
-      const std::size_t goes_down = d < 0 ? 1 : 0;
-      axes_[axis].near = axis + 3 * goes_down;
-      axes_[axis].far = axis + 3 * (1 - goes_down);
-      axes_[axis].front = sides[goes_down];
-      axes_[axis].back = sides[1 - goes_down];
-      if (std::fabs(d) > 0x1p-500) {
-        axes_[axis].inverse = 1 / d;
-      } else {
-        moves_on_all_ = false;
-      }
+  /// What the path has on an axis at the side that comes to boxes first, and behind; and the sides at which
+  /// it comes to them and leaves them, as numbers of faces, so that nothing has to be chosen at each box.
+  struct Axis {
+    explicit Axis(const Path& path, std::size_t axis)
+        : low(canonical(path.box.min[axis])),
+          high(canonical(path.box.max[axis])),
+          direction(path.direction[axis]) {
+      const double sides[2] = {high, low};
+      const std::size_t goes_down = direction < 0 ? 1 : 0;
+      near = axis + 3 * goes_down;
+      far = axis + 3 * (1 - goes_down);
+      front = sides[goes_down];
+      back = sides[1 - goes_down];
+      if (std::fabs(direction) > 0x1p-500) inverse = 1 / direction;
     }
-  }
 
-  const Path& path() const { return path_; }
-  /// Of the direction on an axis; 0 where that is 0, or nearly so.
-  double inverse(std::size_t axis) const { return axes_[axis].inverse; }
+    float low;
+    float high;
+    double direction;
+    double inverse = 0;  ///< of the direction; 0 where that is 0, or nearly so
+    double front;
+    double back;
+    std::size_t near;
+    std::size_t far;
+  };
+
+  explicit Cast(const Path& path)
+      : axes_{Axis(path, 0), Axis(path, 1), Axis(path, 2)},
+        end_(path.end),
+        moves_on_all_(axes_[0].inverse != 0 && axes_[1].inverse != 0 && axes_[2].inverse != 0) {}
+
+  const Axis& axis(std::size_t axis) const { return axes_[axis]; }
+  double end() const { return end_; }
 
   /// When the path touches a box first, if it does up to `end`.
   std::optional<double> touch(const Aabb& box, double end) const {
@@ -69,15 +81,6 @@ class Cast {
  private:
   static constexpr double kSlack = 0x1p-51;
 
-  /// What a box has on an axis at the side that the path comes to first, and the path at that which comes
-  /// first: numbers of faces, for what is known by them needs no choice at each box.
-  struct Axis {
-    std::size_t near = 0;
-    std::size_t far = 0;
-    double front = 0;
-    double back = 0;
-    double inverse = 0;
-  };
   /// When a path has come to a box on all axes, and when it has left it on one.
   struct Times {
     double enter;
@@ -95,10 +98,10 @@ class Cast {
     double enter = 0;
     double leave = end;
     double first = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double d = path_.direction[axis];
-      const double before = gap_before(axes_[axis], box);
-      const double behind = gap_behind(axes_[axis], box);
+    for (const Axis& axis : axes_) {
+      const double d = axis.direction;
+      const double before = gap_before(axis, box);
+      const double behind = gap_behind(axis, box);
       if (d == 0) {
         if (before > 0 || behind < 0) return std::nullopt;
         continue;
@@ -131,9 +134,9 @@ class Cast {
   static double earlier(double time, double slack) { return time * (time > 0 ? 1 - slack : 1 + slack); }
   static double later(double time, double slack) { return time * (time > 0 ? 1 + slack : 1 - slack); }
 
-  Path path_;
   std::array<Axis, 3> axes_;
-  bool moves_on_all_ = true;
+  double end_;
+  bool moves_on_all_;
 };
 
 }  // namespace cellsweep::queries
