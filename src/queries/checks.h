@@ -21,8 +21,12 @@ inline bool is_direction(const std::array<double, 3>& d) {
   return largest > 0 && largest <= FLT_MAX && d[0] == d[0] && d[1] == d[1] && d[2] == d[2];
 }
 
-inline bool is_good(const Aabb& box) { return is_valid(box); }
-inline bool is_good(const Region& region) { return is_valid(region.box) && region.distance >= 0; }
+inline bool is_good(const Aabb& box) {
+  return is_valid(box);
+}
+inline bool is_good(const Region& region) {
+  return is_valid(region.box) && region.distance >= 0;
+}
 inline bool is_good(const Path& path) {
   return is_valid(path.box) && is_direction(path.direction) && path.end >= 0;
 }
