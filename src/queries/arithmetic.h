@@ -17,7 +17,7 @@ namespace cellsweep::queries {
 inline double gap_on(const Aabb& one, const Aabb& other, std::size_t axis) {
   const double above = double{one.min[axis]} - other.max[axis];
   const double below = double{other.min[axis]} - one.max[axis];
-  return std::max({above, below, 0.0});
+  return std::max(std::max(above, below), 0.0);
 }
 
 inline double distance_of(const Aabb& one, const Aabb& other) {

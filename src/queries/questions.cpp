@@ -113,7 +113,7 @@ void list_within(const Asked& asked, const Region& region, std::vector<Neighbor>
   });
   sort_answers(
       std::span(found).subspan(before), [](const Neighbor& neighbor) { return neighbor.distance; },
-      NearestList::comes_before);
+      NearestList::Before());
 }
 
 void list_nearest(const Asked& asked, const Aabb& box, std::size_t count, double most,

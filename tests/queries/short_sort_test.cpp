@@ -39,10 +39,10 @@ TEST(ShortSort, SortsNeighborsOfWhichManyAreAsFar) {
         if (random.bits() % 9 == 0) neighbor.distance = std::numeric_limits<double>::infinity();
       }
       std::vector<Neighbor> expected = neighbors;
-      std::ranges::sort(expected, NearestList::comes_before);
+      std::ranges::sort(expected, NearestList::Before());
       sort_answers(
           std::span(neighbors), [](const Neighbor& neighbor) { return neighbor.distance; },
-          NearestList::comes_before);
+          NearestList::Before());
       EXPECT_EQ(neighbors, expected) << count << " of " << distances;
     }
   }

@@ -8,7 +8,9 @@
 namespace cellsweep::queries {
 namespace {
 
-/// Nodes of a tree to be looked at, those with the least `key` last among those of one node.
+/// Nodes of a tree to be looked at. Of those that one node adds the one with the least key comes first, and
+/// then, when they are `kInOrder`, that with the next.
+template <bool kInOrder>
 class WaitingNodes {
  public:
   explicit WaitingNodes(const TreeNode* nodes) : nodes_(nodes) {}
@@ -21,11 +23,22 @@ class WaitingNodes {
     // One alone goes through no memory: the way to the next node is what a walk waits for.
     if ((bits & (bits - 1)) == 0) return nodes_ + node.content[__builtin_ctz(bits)];
     const unsigned first = count_;
+    unsigned nearest = first;
     for (; bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<unsigned>(__builtin_ctz(bits));
-      add(keys[lane], node.content[lane], first);
+      if (kInOrder) {
+        insert(keys[lane], node.content[lane], first);
+      } else {
+        waiting_[count_] = {keys[lane], node.content[lane]};
+        nearest = waiting_[count_].key < waiting_[nearest].key ? count_ : nearest;
+        ++count_;
+      }
     }
-    return nodes_ + waiting_[--count_].node;
+    --count_;
+    if (kInOrder) return nodes_ + waiting_[count_].node;
+    const std::uint32_t next = waiting_[nearest].node;
+    waiting_[nearest] = waiting_[count_];
+    return nodes_ + next;
   }
 
  private:
@@ -35,7 +48,7 @@ class WaitingNodes {
   };
 
   // In order with those from `first` on.
-  void add(float key, std::uint32_t node, unsigned first) {
+  void insert(float key, std::uint32_t node, unsigned first) {
     prefetch(nodes_ + node);
     unsigned place = count_++;
     for (; place > first && waiting_[place - 1].key < key; --place) waiting_[place] = waiting_[place - 1];
@@ -78,7 +91,7 @@ std::uint32_t test_node(const TreeNode& node, float (&keys)[TreeNode::kBoxes], c
 template <class Lanes>
 void walk_tree_for_overlaps(const TreeNode* nodes, const Aabb& box, const TakeBodies& take) {
   const OverlapLanes<Lanes> lanes(box);
-  WaitingNodes waiting(nodes);
+  WaitingNodes<false> waiting(nodes);
   float keys[TreeNode::kBoxes];
   for (const TreeNode* node = nodes; node != nullptr;) {
     const std::uint32_t bits = test_node<Lanes>(*node, keys, [&](const auto& faces, VectorOf<Lanes>& key) {
@@ -165,7 +178,7 @@ class CastAtNode {
 template <class Lanes, bool kFlat>
 void walk_tree_on_path(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
   CastAtNode<Lanes> cast(path);
-  WaitingNodes waiting(nodes);
+  WaitingNodes<true> waiting(nodes);
   float keys[TreeNode::kBoxes];
   for (const TreeNode* node = nodes; node != nullptr;) {
     const std::uint32_t bits = cast.template test<kFlat>(*node, keys);
@@ -181,7 +194,8 @@ void walk_tree_on_path(const TreeNode* nodes, const CastNumbers& path, const Tak
 template <class Lanes>
 void walk_tree_for_near(const TreeNode* nodes, const NearNumbers& question, const TakeNearBodies& take) {
   NearLanes<Lanes> lanes(question);
-  WaitingNodes waiting(nodes);
+  // While nobody is found yet, all boxes of a node are near enough, and most need no order afterwards.
+  WaitingNodes<false> waiting(nodes);
   float squares[TreeNode::kBoxes];
   for (const TreeNode* node = nodes; node != nullptr;) {
     const std::uint32_t bits = test_node<Lanes>(
