@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cellsweep/query.h"
+#include "geometry/canonical.h"
 
 namespace cellsweep::queries {
 
@@ -16,7 +17,7 @@ namespace cellsweep::queries {
 inline double gap_on(const Aabb& one, const Aabb& other, std::size_t axis) {
   const double above = double{one.min[axis]} - other.max[axis];
   const double below = double{other.min[axis]} - one.max[axis];
-  return std::max({above, below, 0.0});
+  return std::max(std::max(above, below), 0.0);
 }
 
 inline double distance_of(const Aabb& one, const Aabb& other) {
@@ -29,75 +30,113 @@ inline double distance_of(const Aabb& one, const Aabb& other) {
 /// A path, and when it touches boxes.
 class Cast {
  public:
-  explicit Cast(const Path& path) : path_(path) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double d = path.direction[axis];
-      if (std::fabs(d) > 0x1p-500) inverse_[axis] = 1 / d;
+  /// What the path has on an axis at the side that comes to boxes first, and behind; and the sides at which
+  /// it comes to them and leaves them, as numbers of faces, so that nothing has to be chosen at each box.
+  struct Axis {
+    explicit Axis(const Path& path, std::size_t axis)
+        : low(canonical(path.box.min[axis])),
+          high(canonical(path.box.max[axis])),
+          direction(path.direction[axis]) {
+      const double sides[2] = {high, low};
+      const std::size_t goes_down = direction < 0 ? 1 : 0;
+      near = axis + 3 * goes_down;
+      far = axis + 3 * (1 - goes_down);
+      front = sides[goes_down];
+      back = sides[1 - goes_down];
+      if (std::fabs(direction) > 0x1p-500) inverse = 1 / direction;
     }
-  }
 
-  const Path& path() const { return path_; }
+    float low;
+    float high;
+    double direction;
+    double inverse = 0;  ///< of the direction; 0 where that is 0, or nearly so
+    double front;
+    double back;
+    std::size_t near;
+    std::size_t far;
+  };
+
+  explicit Cast(const Path& path)
+      : axes_{Axis(path, 0), Axis(path, 1), Axis(path, 2)},
+        end_(path.end),
+        moves_on_all_(axes_[0].inverse != 0 && axes_[1].inverse != 0 && axes_[2].inverse != 0) {}
+
+  const Axis& axis(std::size_t axis) const { return axes_[axis]; }
+  double end() const { return end_; }
 
   /// When the path touches a box first, if it does up to `end`.
   std::optional<double> touch(const Aabb& box, double end) const {
-    if (misses(box, end)) return std::nullopt;
+    if (misses(about(box, end))) return std::nullopt;
     return touch_exactly(box, end);
+  }
+
+  /// Whether touch() finds a time.
+  bool touches(const Aabb& box, double end) const {
+    const Times times = about(box, end);
+    if (misses(times)) return false;
+    if (moves_on_all_ && times.enter * (1 + 2 * kSlack) <= times.leave * (1 - 2 * kSlack)) return true;
+    return touch_exactly(box, end).has_value();
   }
 
  private:
   static constexpr double kSlack = 0x1p-51;
 
-  /// What the path has to go on an axis until it meets a box, and until it has passed it, when it goes up.
-  struct Gaps {
-    double before;
-    double behind;
+  /// When a path has come to a box on all axes, and when it has left it on one.
+  struct Times {
+    double enter;
+    double leave;
   };
-  Gaps gaps_on(const Aabb& box, std::size_t axis) const {
-    return {double{box.min[axis]} - path_.box.max[axis], double{box.max[axis]} - path_.box.min[axis]};
+
+  static double face(const Aabb& box, std::size_t number) {
+    return reinterpret_cast<const float*>(&box)[number];
   }
+  // What the path has to go until it meets a box, and until it has passed it.
+  static double gap_before(const Axis& axis, const Aabb& box) { return face(box, axis.near) - axis.front; }
+  static double gap_behind(const Axis& axis, const Aabb& box) { return face(box, axis.far) - axis.back; }
 
   std::optional<double> touch_exactly(const Aabb& box, double end) const {
     double enter = 0;
     double leave = end;
     double first = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double d = path_.direction[axis];
-      const Gaps gaps = gaps_on(box, axis);
+    for (const Axis& axis : axes_) {
+      const double d = axis.direction;
+      const double before = gap_before(axis, box);
+      const double behind = gap_behind(axis, box);
       if (d == 0) {
-        if (gaps.before > 0 || gaps.behind < 0) return std::nullopt;
+        if (before > 0 || behind < 0) return std::nullopt;
         continue;
       }
-      const double from = (d > 0 ? gaps.before : gaps.behind) / d;
+      const double from = before / d;
       first = std::max(first, from);
       enter = std::max(enter, earlier(from, kSlack));
-      leave = std::min(leave, later((d > 0 ? gaps.behind : gaps.before) / d, kSlack));
+      leave = std::min(leave, later(behind / d, kSlack));
     }
     if (enter > leave) return std::nullopt;
     return first;
   }
 
-  // Nearly all boxes that it does not touch, without a division.
-  bool misses(const Aabb& box, double end) const {
-    double enter = 0;
-    double leave = end;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (inverse_[axis] == 0) continue;
-      const Gaps gaps = gaps_on(box, axis);
-      const double one = gaps.before * inverse_[axis];
-      const double other = gaps.behind * inverse_[axis];
-      const double from = one < other ? one : other;
-      const double to = one < other ? other : one;
-      enter = from > enter ? from : enter;
-      leave = to < leave ? to : leave;
+  // Without a division: off by less than kSlack.
+  Times about(const Aabb& box, double end) const {
+    Times times{0, end};
+    for (const Axis& axis : axes_) {
+      if (axis.inverse == 0) continue;
+      times.enter = std::max(times.enter, gap_before(axis, box) * axis.inverse);
+      times.leave = std::min(times.leave, gap_behind(axis, box) * axis.inverse);
     }
-    return leave < 0 || enter * (1 - 2 * kSlack) > leave * (1 + 2 * kSlack);
+    return times;
+  }
+
+  // Nearly all boxes that it does not touch.
+  static bool misses(const Times& about) {
+    return about.leave < 0 || about.enter * (1 - 2 * kSlack) > about.leave * (1 + 2 * kSlack);
   }
 
   static double earlier(double time, double slack) { return time * (time > 0 ? 1 - slack : 1 + slack); }
   static double later(double time, double slack) { return time * (time > 0 ? 1 + slack : 1 - slack); }
 
-  Path path_;
-  std::array<double, 3> inverse_{};  // of the direction, but where that is 0 or nearly so
+  std::array<Axis, 3> axes_;
+  double end_;
+  bool moves_on_all_;
 };
 
 }  // namespace cellsweep::queries

@@ -1,10 +1,8 @@
 #include "queries/checks.h"
 
 #include <cfloat>
-#include <cmath>
 
 #include "base/text.h"
-#include "geometry/canonical.h"
 
 namespace cellsweep::queries {
 namespace {
@@ -38,15 +36,6 @@ using Place = std::optional<std::size_t>;
 [[gnu::cold]] Status refuse_number(const char* what, double number, Place place) {
   return Status::bad_input(
       text(what, in_batch(place), " is ", number, "; it must be 0 or more, or infinity."));
-}
-
-bool is_direction(const std::array<double, 3>& direction) {
-  bool moves = false;
-  for (const double d : direction) {
-    if (!(std::fabs(d) <= FLT_MAX)) return false;
-    moves = moves || d != 0;
-  }
-  return moves;
 }
 
 }  // namespace

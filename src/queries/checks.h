@@ -2,15 +2,36 @@
 /// Whether a question can be answered, and the sentences that refuse one.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
 
 #include "cellsweep/query.h"
+#include "geometry/canonical.h"
 
 namespace cellsweep::queries {
 
-/// `place` is that of the question in a batch.
+/// A component that moves, and none beyond floats.
+inline bool is_direction(const std::array<double, 3>& d) {
+  const double largest = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])});
+  return largest > 0 && largest <= FLT_MAX && d[0] == d[0] && d[1] == d[1] && d[2] == d[2];
+}
+
+inline bool is_good(const Aabb& box) {
+  return is_valid(box);
+}
+inline bool is_good(const Region& region) {
+  return is_valid(region.box) && region.distance >= 0;
+}
+inline bool is_good(const Path& path) {
+  return is_valid(path.box) && is_direction(path.direction) && path.end >= 0;
+}
+
+/// An ok status for a good question. `place` is that of the question in a batch.
 Status check(const Aabb& box, std::optional<std::size_t> place = {});
 Status check(const Region& region, std::optional<std::size_t> place = {});
 Status check(const Path& path, std::optional<std::size_t> place = {});
@@ -19,7 +40,7 @@ Status check(const Path& path, std::optional<std::size_t> place = {});
 template <class Question>
 Status check_all(std::span<const Question> questions) {
   for (std::size_t i = 0; i < questions.size(); ++i) {
-    if (Status status = check(questions[i], i); !status.ok()) return status;
+    if (!is_good(questions[i])) return check(questions[i], i);
   }
   return {};
 }

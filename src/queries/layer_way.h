@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "cellsweep/query.h"
 #include "engines/stream/kernels/kernel.h"
+#include "queries/arithmetic.h"
 
 namespace cellsweep::queries {
 
@@ -27,13 +27,10 @@ struct AxisWay {
   double inverse = 0;  ///< of the direction; 0 when it stays, or is too slow to say when it is where
 
   AxisWay() = default;
-  AxisWay(const Path& path, std::size_t axis)
-      : low(path.box.min[axis]), high(path.box.max[axis]), direction(path.direction[axis]) {
-    if (std::fabs(direction) > 0x1p-500) {
-      inverse = 1 / direction;
-      return;
-    }
-    const double way = direction == 0 ? 0 : direction * path.end;
+  AxisWay(const Cast::Axis& axis, double end)
+      : low(axis.low), high(axis.high), direction(axis.direction), inverse(axis.inverse) {
+    if (inverse != 0) return;
+    const double way = direction == 0 ? 0 : direction * end;
     low += std::min(way, 0.0);
     high += std::max(way, 0.0);
     direction = 0;

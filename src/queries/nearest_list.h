@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cellsweep/query.h"
+#include "queries/short_sort.h"
 
 namespace cellsweep::queries {
 
@@ -27,26 +28,32 @@ class NearestList {
 
   bool takes(const Neighbor& neighbor) const {
     if (!(neighbor.distance <= most())) return false;
-    return found_.size() < count_ || comes_before(neighbor, found_.front());
+    return found_.size() < count_ || Before()(neighbor, found_.front());
   }
 
   /// One that it takes().
   void add(const Neighbor& neighbor) {
     if (found_.size() == count_) {
-      std::ranges::pop_heap(found_, comes_before);
+      std::ranges::pop_heap(found_, Before());
       found_.back() = neighbor;
     } else {
       found_.push_back(neighbor);
     }
-    std::ranges::push_heap(found_, comes_before);
+    std::ranges::push_heap(found_, Before());
     if (found_.size() == count_) most_ = found_.front().distance;
   }
 
-  void sort() { std::ranges::sort_heap(found_, comes_before); }
-
-  static bool comes_before(const Neighbor& one, const Neighbor& other) {
-    return one.distance != other.distance ? one.distance < other.distance : one.body < other.body;
+  void sort() {
+    sort_answers(
+        std::span(found_), [](const Neighbor& neighbor) { return neighbor.distance; }, Before());
   }
+
+  /// By distance, and of the same by body.
+  struct Before {
+    bool operator()(const Neighbor& one, const Neighbor& other) const {
+      return one.distance != other.distance ? one.distance < other.distance : one.body < other.body;
+    }
+  };
 
  private:
   std::size_t count_;

@@ -22,14 +22,14 @@ using stream::Node;
 /// A path's numbers for kernels, and how their time is counted.
 class PathNumbers {
  public:
-  explicit PathNumbers(const Path& path) {
+  explicit PathNumbers(const Cast& cast) {
     double largest = 0;
-    for (const double d : path.direction) largest = std::max(largest, std::fabs(d));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      largest = std::max(largest, std::fabs(cast.axis(axis).direction));
     scale_ = power_of_two_of(largest);
-    inverse_ = 1 / scale_;
     numbers_.is_flat = false;
-    for (std::size_t axis = 0; axis < 3; ++axis) set_axis(path, axis);
-    end(path.end);
+    for (std::size_t axis = 0; axis < 3; ++axis) set_axis(cast.axis(axis), cast.end(), axis);
+    end(cast.end());
   }
 
   const CastNumbers& numbers() const { return numbers_; }
@@ -48,36 +48,35 @@ class PathNumbers {
     return std::bit_cast<double>(bits >> 52 << 52);
   }
 
-  void set_axis(const Path& path, std::size_t axis) {
-    constexpr double kHardly = 0x1p-60;
+  void set_axis(const Cast::Axis& path, double end, std::size_t axis) {
+    constexpr double kMostInverse = 0x1p60;
     constexpr float kFar = std::numeric_limits<float>::infinity();
-    const double d = path.direction[axis] * inverse_;
-    numbers_.from_min[axis] = path.box.max[axis];
-    numbers_.from_max[axis] = path.box.min[axis];
+    const double inverse = path.inverse * scale_;
+    numbers_.from_min[axis] = path.high;
+    numbers_.from_max[axis] = path.low;
     numbers_.low[axis] = -kFar;
     numbers_.high[axis] = kFar;
     numbers_.wide[axis] = 0;
-    if (std::fabs(d) >= kHardly) {
-      numbers_.inverse[axis] = static_cast<float>(1 / d);
+    if (inverse != 0 && std::fabs(inverse) <= kMostInverse) {
+      numbers_.inverse[axis] = static_cast<float>(inverse);
       return;
     }
-    const double way = path.direction[axis] == 0 ? 0 : path.direction[axis] * path.end;
+    const double way = path.direction == 0 ? 0 : path.direction * end;
     numbers_.inverse[axis] = 0;
     numbers_.wide[axis] = kFar;
     numbers_.is_flat = true;
-    numbers_.low[axis] = way == 0 ? path.box.min[axis] : below(path.box.min[axis] + std::min(way, 0.0));
-    numbers_.high[axis] = way == 0 ? path.box.max[axis] : above(path.box.max[axis] + std::max(way, 0.0));
+    numbers_.low[axis] = way == 0 ? path.low : below(path.low + std::min(way, 0.0));
+    numbers_.high[axis] = way == 0 ? path.high : above(path.high + std::max(way, 0.0));
   }
 
   double scale_ = 1;     // times in lengths of the scaled direction are so many times as large
-  double inverse_ = 1;   // and the direction is so many times as large
   CastNumbers numbers_;  // NOLINT(*-member-init): all set by the constructor
 };
 
 class PathWalk {
  public:
-  PathWalk(const World& world, const Path& path, FunctionRef<double(std::span<const Candidate>)> take)
-      : world_(world), kernels_(world.kernels()), numbers_(path), end_(path.end), take_(take) {}
+  PathWalk(const World& world, const Cast& cast, FunctionRef<double(std::span<const Candidate>)> take)
+      : world_(world), kernels_(world.kernels()), numbers_(cast), end_(cast.end()), take_(take) {}
 
   void walk(const BoxTree& tree) {
     const auto take = [](void* self, const TreeNode& node, std::uint32_t bodies) {
@@ -100,8 +99,8 @@ class PathWalk {
     });
   }
 
-  void walk(const Node& node, const Path& path) {
-    for (std::size_t axis = 0; axis < 3; ++axis) ways_[axis] = AxisWay(path, axis);
+  void walk(const Node& node, const Cast& cast) {
+    for (std::size_t axis = 0; axis < 3; ++axis) ways_[axis] = AxisWay(cast.axis(axis), cast.end());
     walk(node, {0, end_});
     look_at_waiting();
   }
@@ -241,11 +240,11 @@ class PathWalk {
 
 }  // namespace
 
-void walk_path(const World& world, const Path& path, FunctionRef<double(std::span<const Candidate>)> take) {
-  PathWalk walk(world, path, take);
+void walk_path(const World& world, const Cast& cast, FunctionRef<double(std::span<const Candidate>)> take) {
+  PathWalk walk(world, cast, take);
   if (const BoxTree* const tree = world.tree()) return walk.walk(*tree);
   if (world.root() != nullptr) {
-    walk.walk(*world.root(), path);
+    walk.walk(*world.root(), cast);
   } else {
     walk.scan();
   }

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "cellsweep/function_ref.h"
-#include "cellsweep/query.h"
+#include "queries/arithmetic.h"
 #include "queries/world.h"
 
 namespace cellsweep::queries {
@@ -13,6 +13,6 @@ namespace cellsweep::queries {
 /// Calls `take` with bodies, those along the first part of the path before others mostly, and ends the path
 /// where it returns, which must not be later than before; less than 0 ends the walk. Every body that the path
 /// touches up to its end is among them, several times perhaps, and others are.
-void walk_path(const World& world, const Path& path, FunctionRef<double(std::span<const Candidate>)> take);
+void walk_path(const World& world, const Cast& cast, FunctionRef<double(std::span<const Candidate>)> take);
 
 }  // namespace cellsweep::queries

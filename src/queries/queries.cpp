@@ -17,7 +17,7 @@ using queries::Asked;
 using queries::Batch;
 using queries::World;
 
-/// What every call does: its thread computes as the library does, and an update is caught meanwhile.
+/// What every call does whose thread computes as the library does: an update is caught meanwhile.
 class Call {
  public:
   explicit Call(const Broadphase& broadphase)
@@ -27,7 +27,6 @@ class Call {
   const World& world() const { return world_; }
 
  private:
-  DefaultFloats floats_;
   LastUpdate last_;
   Reading reading_;
   World world_;
@@ -35,15 +34,14 @@ class Call {
 
 // Questions are checked as the library computes, too: a caller's thread may take a denormal number for 0.
 
-/// `answer(asked)` after a check.
-template <class Question, class Answer>
-Status answer_one(const Broadphase& broadphase, const Question& question, const QueryFilter& filter,
-                  const Answer& answer) {
+/// What `answer(asked)` returns, after a check.
+template <class Answered, class Question, class Answer>
+Answered answer_one(const Broadphase& broadphase, const Question& question, const QueryFilter& filter,
+                    const Answer& answer) {
   const DefaultFloats floats;
-  if (Status status = queries::check(question); !status.ok()) return status;
+  if (!queries::is_good(question)) return queries::check(question);
   const Call call(broadphase);
-  answer(Asked{call.world(), filter});
-  return {};
+  return answer(Asked{call.world(), filter});
 }
 
 /// `list(asked, question, answers)` for each question of a batch.
@@ -80,29 +78,30 @@ Queries Broadphase::queries() const {
 }
 
 void Queries::prepare() const {
+  const DefaultFloats floats;
   queries::make_tree(Call(*broadphase_).world());
 }
 
 Status Queries::find_overlaps(const Region& region, std::vector<BodyId>& found,
                               const QueryFilter& filter) const {
-  return answer_one(*broadphase_, region, filter, [&](const Asked& asked) {
+  return answer_one<Status>(*broadphase_, region, filter, [&](const Asked& asked) {
     found.clear();
     queries::list_overlaps(asked, region, found);
+    return Status{};
   });
 }
 
 Status Queries::visit_overlaps(const Region& region, FunctionRef<bool(BodyId)> visit,
                                const QueryFilter& filter) const {
-  return answer_one(*broadphase_, region, filter,
-                    [&](const Asked& asked) { queries::visit_overlaps(asked, region, visit); });
+  return answer_one<Status>(*broadphase_, region, filter, [&](const Asked& asked) {
+    queries::visit_overlaps(asked, region, visit);
+    return Status{};
+  });
 }
 
 Result<bool> Queries::any_overlap(const Region& region, const QueryFilter& filter) const {
-  bool any = false;
-  Status status = answer_one(*broadphase_, region, filter,
-                             [&](const Asked& asked) { any = queries::any_overlap(asked, region); });
-  if (!status.ok()) return status;
-  return any;
+  return answer_one<Result<bool>>(*broadphase_, region, filter,
+                                  [&](const Asked& asked) { return queries::any_overlap(asked, region); });
 }
 
 Status Queries::find_overlaps(std::span<const Region> regions, BatchAnswers<BodyId>& found,
@@ -116,32 +115,30 @@ Status Queries::any_overlaps(std::span<const Region> regions, std::span<bool> an
 }
 
 Status Queries::find_touches(const Path& path, std::vector<Touch>& found, const QueryFilter& filter) const {
-  return answer_one(*broadphase_, path, filter, [&](const Asked& asked) {
+  return answer_one<Status>(*broadphase_, path, filter, [&](const Asked& asked) {
     found.clear();
     queries::list_touches(asked, path, found);
+    return Status{};
   });
 }
 
 Status Queries::visit_touches(const Path& path, FunctionRef<double(const Touch&, double)> visit,
                               const QueryFilter& filter) const {
-  return answer_one(*broadphase_, path, filter,
-                    [&](const Asked& asked) { queries::visit_touches(asked, path, visit); });
+  return answer_one<Status>(*broadphase_, path, filter, [&](const Asked& asked) {
+    queries::visit_touches(asked, path, visit);
+    return Status{};
+  });
 }
 
 Result<std::optional<Touch>> Queries::first_touch(const Path& path, const QueryFilter& filter) const {
-  std::optional<Touch> first;
-  Status status = answer_one(*broadphase_, path, filter,
-                             [&](const Asked& asked) { first = queries::first_touch(asked, path); });
-  if (!status.ok()) return status;
-  return first;
+  using First = Result<std::optional<Touch>>;
+  return answer_one<First>(*broadphase_, path, filter,
+                           [&](const Asked& asked) { return queries::first_touch(asked, path); });
 }
 
 Result<bool> Queries::any_touch(const Path& path, const QueryFilter& filter) const {
-  bool any = false;
-  Status status = answer_one(*broadphase_, path, filter,
-                             [&](const Asked& asked) { any = queries::any_touch(asked, path); });
-  if (!status.ok()) return status;
-  return any;
+  return answer_one<Result<bool>>(*broadphase_, path, filter,
+                                  [&](const Asked& asked) { return queries::any_touch(asked, path); });
 }
 
 Status Queries::find_touches(std::span<const Path> paths, BatchAnswers<Touch>& found,
@@ -163,8 +160,10 @@ Status Queries::find_nearest(const Aabb& box, std::size_t count, std::vector<Nei
                              const QueryFilter& filter) const {
   const DefaultFloats floats;
   if (Status status = queries::check_most(most); !status.ok()) return status;
-  return answer_one(*broadphase_, box, filter,
-                    [&](const Asked& asked) { queries::list_nearest(asked, box, count, most, found); });
+  return answer_one<Status>(*broadphase_, box, filter, [&](const Asked& asked) {
+    queries::list_nearest(asked, box, count, most, found);
+    return Status{};
+  });
 }
 
 Status Queries::find_nearest(std::span<const Aabb> boxes, std::size_t count, BatchAnswers<Neighbor>& found,
@@ -181,9 +180,10 @@ Status Queries::find_nearest(std::span<const Aabb> boxes, std::size_t count, Bat
 
 Status Queries::find_within(const Region& region, std::vector<Neighbor>& found,
                             const QueryFilter& filter) const {
-  return answer_one(*broadphase_, region, filter, [&](const Asked& asked) {
+  return answer_one<Status>(*broadphase_, region, filter, [&](const Asked& asked) {
     found.clear();
     queries::list_within(asked, region, found);
+    return Status{};
   });
 }
 
@@ -193,6 +193,7 @@ Status Queries::find_within(std::span<const Region> regions, BatchAnswers<Neighb
 }
 
 Status Queries::find_pairs_of(std::span<const BodyId> bodies, std::vector<Pair>& found) const {
+  const DefaultFloats floats;
   const Call call(*broadphase_);
   const World& world = call.world();
   const SeenBodies seen(call.last().bodies.table(), call.last().bodies.staged());

@@ -1,6 +1,8 @@
 #include "queries/questions.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <limits>
 #include <unordered_set>
 
@@ -10,6 +12,7 @@
 #include "queries/outward.h"
 #include "queries/path_walk.h"
 #include "queries/region_walk.h"
+#include "queries/short_sort.h"
 
 namespace cellsweep::queries {
 namespace {
@@ -33,6 +36,7 @@ class Reach {
 
   /// A box around the region.
   const Aabb& box() const { return reach_; }
+  double distance() const { return distance_; }
   double distance_to(const Aabb& box) const { return distance_of(box_, box); }
   bool overlaps(const Aabb& box) const {
     return distance_ == 0 ? overlap(box_, box) : distance_to(box) <= distance_;
@@ -44,12 +48,6 @@ class Reach {
   double distance_;
 };
 
-Path canonical(const Path& path) {
-  Path result = path;
-  result.box = cellsweep::canonical(path.box);
-  return result;
-}
-
 bool comes_before(const Touch& one, const Touch& other) {
   return one.time != other.time ? one.time < other.time : one.body < other.body;
 }
@@ -57,9 +55,12 @@ bool comes_before(const Touch& one, const Touch& other) {
 /// Calls `visit(slot)` for the answers until it returns false.
 template <class Visit>
 void for_each_overlap(const Asked& asked, const Reach& reach, const Visit& visit) {
+  // A box by its slot lies anywhere in memory: it is looked at where it must be.
+  const bool are_certain = reach.distance() == 0 && asked.world.overlaps_are_certain();
   walk_region(asked.world, reach.box(), [&](Slots slots) {
     for (const Slot slot : slots) {
-      if (!reach.overlaps(asked.world.box(slot)) || !asked.world.is_answer(asked.filter, slot)) continue;
+      if (!are_certain && !reach.overlaps(asked.world.box(slot))) continue;
+      if (!asked.world.is_answer(asked.filter, slot)) continue;
       if (!visit(slot)) return false;
     }
     return true;
@@ -78,7 +79,7 @@ void list_overlaps(const Asked& asked, const Region& region, std::vector<BodyId>
     found.push_back(asked.world.id(slot));
     return true;
   });
-  std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
+  sort_answers(std::span(found).subspan(before), std::identity(), std::less());
 }
 
 bool any_overlap(const Asked& asked, const Region& region) {
@@ -93,11 +94,26 @@ bool any_overlap(const Asked& asked, const Region& region) {
 void list_within(const Asked& asked, const Region& region, std::vector<Neighbor>& found) {
   const std::size_t before = found.size();
   const Reach reach(region);
-  for_each_overlap(asked, reach, [&](Slot slot) {
-    found.push_back({asked.world.id(slot), reach.distance_to(asked.world.box(slot))});
+  struct Near {
+    Slot slot;
+    double distance;
+  };
+  std::array<Near, kRowBoxes> near;
+  walk_region(asked.world, reach.box(), [&](Slots slots) {
+    // Half of them are too far, nobody could foretell which: all are written down, and most written over.
+    std::size_t count = 0;
+    for (const Slot slot : slots) {
+      near[count] = {slot, reach.distance_to(asked.world.box(slot))};
+      count += near[count].distance <= reach.distance() ? 1 : 0;
+    }
+    for (const auto& [slot, distance] : std::span(near).first(count)) {
+      if (asked.world.is_answer(asked.filter, slot)) found.push_back({asked.world.id(slot), distance});
+    }
     return true;
   });
-  std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end(), NearestList::comes_before);
+  sort_answers(
+      std::span(found).subspan(before), [](const Neighbor& neighbor) { return neighbor.distance; },
+      NearestList::Before());
 }
 
 void list_nearest(const Asked& asked, const Aabb& box, std::size_t count, double most,
@@ -110,8 +126,8 @@ void list_nearest(const Asked& asked, const Aabb& box, std::size_t count, double
 // A body comes once for each cell in which the path meets it; its touch is the same each time.
 void list_touches(const Asked& asked, const Path& path, std::vector<Touch>& found) {
   const auto before = static_cast<std::ptrdiff_t>(found.size());
-  const Cast cast(canonical(path));
-  walk_path(asked.world, cast.path(), [&](Candidates candidates) {
+  const Cast cast(path);
+  walk_path(asked.world, cast, [&](Candidates candidates) {
     for (const auto& [slot, box] : candidates) {
       const auto time = cast.touch(box, path.end);
       if (time && asked.world.may_be_answer(asked.filter, slot))
@@ -119,6 +135,7 @@ void list_touches(const Asked& asked, const Path& path, std::vector<Touch>& foun
     }
     return path.end;
   });
+  // They come nearly in order.
   std::sort(found.begin() + before, found.end(), comes_before);
   auto end = std::unique(found.begin() + before, found.end());
   if (asked.filter.predicate) {
@@ -130,9 +147,9 @@ void list_touches(const Asked& asked, const Path& path, std::vector<Touch>& foun
 
 void visit_touches(const Asked& asked, const Path& path, FunctionRef<double(const Touch&, double)> visit) {
   std::unordered_set<Slot> seen;
-  const Cast cast(canonical(path));
+  const Cast cast(path);
   double end = path.end;
-  walk_path(asked.world, cast.path(), [&](Candidates candidates) {
+  walk_path(asked.world, cast, [&](Candidates candidates) {
     for (const auto& [slot, box] : candidates) {
       const auto time = cast.touch(box, end);
       if (!time || !seen.insert(slot).second || !asked.world.is_answer(asked.filter, slot)) continue;
@@ -145,10 +162,10 @@ void visit_touches(const Asked& asked, const Path& path, FunctionRef<double(cons
 
 bool any_touch(const Asked& asked, const Path& path) {
   bool any = false;
-  const Cast cast(canonical(path));
-  walk_path(asked.world, cast.path(), [&](Candidates candidates) {
+  const Cast cast(path);
+  walk_path(asked.world, cast, [&](Candidates candidates) {
     for (const auto& [slot, box] : candidates) {
-      if (!cast.touch(box, path.end) || !asked.world.is_answer(asked.filter, slot)) continue;
+      if (!cast.touches(box, path.end) || !asked.world.is_answer(asked.filter, slot)) continue;
       any = true;
       return -1.0;
     }
@@ -159,8 +176,8 @@ bool any_touch(const Asked& asked, const Path& path) {
 
 std::optional<Touch> first_touch(const Asked& asked, const Path& path) {
   std::optional<Touch> first;
-  const Cast cast(canonical(path));
-  walk_path(asked.world, cast.path(), [&](Candidates candidates) {
+  const Cast cast(path);
+  walk_path(asked.world, cast, [&](Candidates candidates) {
     for (const auto& [slot, box] : candidates) {
       const auto time = cast.touch(box, path.end);
       if (!time) continue;

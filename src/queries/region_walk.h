@@ -9,8 +9,8 @@
 
 namespace cellsweep::queries {
 
-/// Calls `take` with slots until it returns false; false when it did. Every body whose box overlaps this one
-/// is among them, each once, and others are. The box may be infinite.
+/// Calls `take` with slots, at most kRowBoxes at a time, until it returns false; false when it did. Every
+/// body whose box overlaps this one is among them, each once, and others are. The box may be infinite.
 bool walk_region(const World& world, const Aabb& box, FunctionRef<bool(std::span<const Slot>)> take);
 
 }  // namespace cellsweep::queries

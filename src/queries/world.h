@@ -25,6 +25,7 @@ class World {
         ids_(last.bodies.table().ids()),
         filters_(last.bodies.filters().view()),
         root_(last.cells.root),
+        are_exact_(root_ == nullptr || last.cells.are_exact),
         kept_tree_(last.tree),
         kernels_(query_kernels(last.cells.isa)) {}
 
@@ -38,6 +39,8 @@ class World {
 
   /// The cells, which hold those whom the last update saw; null: there are none.
   const stream::Node* root() const { return root_; }
+  /// Whether a box that walk_region() finds overlaps for certain.
+  bool overlaps_are_certain() const { return are_exact_; }
   const QueryKernels& kernels() const { return kernels_; }
 
   /// A tree of the same bodies; null: there is none, or not yet.
@@ -58,6 +61,7 @@ class World {
   const BodyId* ids_;
   std::span<const BodyFilter> filters_;
   const stream::Node* root_;
+  bool are_exact_;
   KeptTree& kept_tree_;
   const QueryKernels& kernels_;
 };

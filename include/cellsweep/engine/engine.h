@@ -27,6 +27,7 @@ struct Node;
 struct CellsToQuery {
   const stream::Node* root = nullptr;  ///< null: there are none, and queries look at all boxes
   VectorIsa isa = VectorIsa::best;     ///< what the engine was made with
+  bool are_exact = false;              ///< boxes in cells are those of the bodies, and not larger
 };
 
 /// What happened since the last update that succeeded. A slot is in one list at most, and there once.

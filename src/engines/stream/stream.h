@@ -43,7 +43,8 @@ class Stream final : public Engine, public HasFinder {
   StreamView view(std::span<const Aabb> boxes) const;
   const PieceFinder* finder() const override { return parts_.finder.get(); }
   CellsToQuery cells() const override {
-    return {search_.has_cells() ? &search_.cells().root() : nullptr, parts_.kernels->isa};
+    return {search_.has_cells() ? &search_.cells().root() : nullptr, parts_.kernels->isa,
+            !fat_boxes_.have_slack()};
   }
 
  private:

@@ -3,7 +3,9 @@
 
 namespace cellsweep::queries {
 
-const QueryKernels& query_kernels(VectorIsa isa) {
+namespace {
+
+const QueryKernels& choose(VectorIsa isa) {
 #ifdef CELLSWEEP_X86_KERNELS
   const stream::Kernels* const kernels = stream::find_kernels(isa);
   const VectorIsa there = kernels != nullptr ? kernels->isa : VectorIsa::portable;
@@ -13,6 +15,14 @@ const QueryKernels& query_kernels(VectorIsa isa) {
   static_cast<void>(isa);
 #endif
   return kPortableQueries;
+}
+
+}  // namespace
+
+const QueryKernels& query_kernels(VectorIsa isa) {
+  // What most ask for; to look at the machine anew would be a tenth of a short question.
+  static const QueryKernels& best = choose(VectorIsa::best);
+  return isa == best.isa || isa == VectorIsa::best ? best : choose(isa);
 }
 
 }  // namespace cellsweep::queries

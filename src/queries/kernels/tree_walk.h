@@ -1,0 +1,219 @@
+/// @file
+/// Walks through a tree of boxes: one question against the boxes of a node at a time.
+#pragma once
+
+#include "queries/kernels/kernel.h"
+#include "queries/kernels/lanes.h"
+
+namespace cellsweep::queries {
+namespace {
+
+/// Nodes of a tree to be looked at. Of those that one node adds the one with the least key comes first, and
+/// then, when they are `kInOrder`, that with the next.
+template <bool kInOrder>
+class WaitingNodes {
+ public:
+  explicit WaitingNodes(const TreeNode* nodes) : nodes_(nodes) {}
+
+  /// The node to go on with, after one in which those whose bits are set may hold answers: theirs with the
+  /// least key, or else the last that waits and whose key is at most that. Null: there is none.
+  const TreeNode* next(const TreeNode& node, std::uint32_t bits, const float (&keys)[TreeNode::kBoxes],
+                       float most) {
+    if (bits == 0) return take(most);
+    // One alone goes through no memory: the way to the next node is what a walk waits for.
+    if ((bits & (bits - 1)) == 0) return nodes_ + node.content[__builtin_ctz(bits)];
+    const unsigned first = count_;
+    unsigned nearest = first;
+    for (; bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<unsigned>(__builtin_ctz(bits));
+      if (kInOrder) {
+        insert(keys[lane], node.content[lane], first);
+      } else {
+        waiting_[count_] = {keys[lane], node.content[lane]};
+        nearest = waiting_[count_].key < waiting_[nearest].key ? count_ : nearest;
+        ++count_;
+      }
+    }
+    --count_;
+    if (kInOrder) return nodes_ + waiting_[count_].node;
+    const std::uint32_t next = waiting_[nearest].node;
+    waiting_[nearest] = waiting_[count_];
+    return nodes_ + next;
+  }
+
+ private:
+  struct Waiting {
+    float key;
+    std::uint32_t node;
+  };
+
+  // In order with those from `first` on.
+  void insert(float key, std::uint32_t node, unsigned first) {
+    prefetch(nodes_ + node);
+    unsigned place = count_++;
+    for (; place > first && waiting_[place - 1].key < key; --place) waiting_[place] = waiting_[place - 1];
+    waiting_[place] = {key, node};
+  }
+
+  const TreeNode* take(float most) {
+    while (count_ > 0) {
+      const Waiting& last = waiting_[--count_];
+      if (last.key <= most) return nodes_ + last.node;
+    }
+    return nullptr;
+  }
+
+  static void prefetch(const TreeNode* node) {
+    for (unsigned line = 0; line < sizeof(TreeNode); line += 64)
+      __builtin_prefetch(reinterpret_cast<const char*>(node) + line);
+  }
+
+  const TreeNode* nodes_;
+  Waiting waiting_[kWaitingNodes];  // NOLINT(*-member-init): as far as it is read
+  unsigned count_ = 0;
+};
+
+/// Tests the boxes of a node: a bit for each that passes `test(faces, key)`, and their keys.
+template <class Lanes, class Test>
+std::uint32_t test_node(const TreeNode& node, float (&keys)[TreeNode::kBoxes], const Test& test) {
+  std::uint32_t bits = 0;
+  for (unsigned first = 0; first < TreeNode::kBoxes; first += Lanes::kCount) {
+    VectorOf<Lanes> faces[6];
+    for (unsigned face = 0; face < 6; ++face)
+      __builtin_memcpy(&faces[face], node.faces[face] + first, sizeof(faces[face]));
+    VectorOf<Lanes> key;
+    bits |= test(faces, key) << first;
+    __builtin_memcpy(keys + first, &key, sizeof(key));
+  }
+  return bits;
+}
+
+template <class Lanes>
+void walk_tree_for_overlaps(const TreeNode* nodes, const Aabb& box, const TakeBodies& take) {
+  const OverlapLanes<Lanes> lanes(box);
+  WaitingNodes<false> waiting(nodes);
+  float keys[TreeNode::kBoxes];
+  for (const TreeNode* node = nodes; node != nullptr;) {
+    const std::uint32_t bits = test_node<Lanes>(*node, keys, [&](const auto& faces, VectorOf<Lanes>& key) {
+      key = VectorOf<Lanes>{};
+      return lanes.test(faces);
+    });
+    const std::uint32_t bodies = bits & node->bodies;
+    if (bodies != 0 && !take.take(take.self, *node, bodies)) return;
+    node = waiting.next(*node, bits & ~bodies, keys, 0);
+  }
+}
+
+/// A path against the boxes of nodes. The face at which it enters a box is known by its direction, and what
+/// rounding may do is in the numbers beforehand: fewer steps from the node to its answer.
+template <class Lanes>
+class CastAtNode {
+ public:
+  using Vector = VectorOf<Lanes>;
+
+  explicit CastAtNode(const CastNumbers& path) : end_(all<Lanes>(path.end)) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      // Nobody could foretell a branch.
+      const unsigned goes_down = path.inverse[axis] < 0 ? 1 : 0;
+      const float from[2] = {path.from_min[axis], path.from_max[axis]};
+      first_[axis] = axis + 3 * goes_down;
+      last_[axis] = axis + 3 * (1 - goes_down);
+      enters_from_[axis] = all<Lanes>(from[goes_down]);
+      leaves_from_[axis] = all<Lanes>(from[1 - goes_down]);
+      enters_by_[axis] = all<Lanes>(path.inverse[axis] * kSmaller);
+      leaves_by_[axis] = all<Lanes>(path.inverse[axis] * kLarger);
+      wide_[axis] = all<Lanes>(path.wide[axis]);
+      low_[axis] = all<Lanes>(path.low[axis]);
+      high_[axis] = all<Lanes>(path.high[axis]);
+    }
+  }
+
+  void end(float time) { end_ = all<Lanes>(time); }
+
+  /// A bit for each box of the node that the path may touch, and when it does at the earliest. `kFlat`: there
+  /// may be an axis along which the path does not move.
+  template <bool kFlat>
+  std::uint32_t test(const TreeNode& node, float (&enter)[TreeNode::kBoxes]) const {
+    std::uint32_t bits = 0;
+    for (unsigned first = 0; first < TreeNode::kBoxes; first += Lanes::kCount)
+      bits |= test_from<kFlat>(node, first, enter + first) << first;
+    return bits;
+  }
+
+ private:
+  // A product that overflows, or is too small for a normal number, is rounded as others are: what enters no
+  // later than it leaves comes out so. Where infinity is times 0 there is no bound.
+  template <bool kFlat>
+  std::uint32_t test_from(const TreeNode& node, unsigned place, float* enter) const {
+    Vector enters[3];
+    Vector leave = end_;
+    auto meets = Lanes::less_equal(face(node, 0, place), face(node, 3, place));
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      enters[axis] = (face(node, first_[axis], place) - enters_from_[axis]) * enters_by_[axis];
+      Vector leaves = (face(node, last_[axis], place) - leaves_from_[axis]) * leaves_by_[axis];
+      if (kFlat) {
+        leaves = leaves + wide_[axis];
+        meets = meets & Lanes::less_equal(face(node, axis, place), high_[axis]);
+        meets = meets & Lanes::less_equal(low_[axis], face(node, axis + 3, place));
+      }
+      leave = smaller(leaves, leave);
+    }
+    const Vector latest = larger(enters[0], larger(enters[1], larger(enters[2], Vector{})));
+    __builtin_memcpy(enter, &latest, sizeof(latest));
+    return Lanes::bits(meets & Lanes::less_equal(latest, leave));
+  }
+
+  static Vector face(const TreeNode& node, unsigned face, unsigned place) {
+    Vector result;
+    __builtin_memcpy(&result, node.faces[face] + place, sizeof(result));
+    return result;
+  }
+
+  unsigned first_[3], last_[3];  // the faces at which the path enters and leaves boxes
+  Vector enters_from_[3], leaves_from_[3], enters_by_[3], leaves_by_[3];
+  Vector wide_[3], low_[3], high_[3];
+  Vector end_;
+};
+
+template <class Lanes, bool kFlat>
+void walk_tree_on_path(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
+  CastAtNode<Lanes> cast(path);
+  WaitingNodes<true> waiting(nodes);
+  float keys[TreeNode::kBoxes];
+  for (const TreeNode* node = nodes; node != nullptr;) {
+    const std::uint32_t bits = cast.template test<kFlat>(*node, keys);
+    const std::uint32_t bodies = bits & node->bodies;
+    if (bodies != 0) {
+      if (!take.take(take.self, *node, bodies)) return;
+      cast.end(path.end);
+    }
+    node = waiting.next(*node, bits & ~bodies, keys, path.end);
+  }
+}
+
+template <class Lanes>
+void walk_tree_for_near(const TreeNode* nodes, const NearNumbers& question, const TakeNearBodies& take) {
+  NearLanes<Lanes> lanes(question);
+  // While nobody is found yet, all boxes of a node are near enough, and most need no order afterwards.
+  WaitingNodes<false> waiting(nodes);
+  float squares[TreeNode::kBoxes];
+  for (const TreeNode* node = nodes; node != nullptr;) {
+    const std::uint32_t bits = test_node<Lanes>(
+        *node, squares,
+        [&](const auto& faces, VectorOf<Lanes>& square) { return lanes.test(faces, square); });
+    std::uint64_t keys[TreeNode::kBoxes];
+    std::uint32_t found = 0;
+    for (std::uint32_t bodies = bits & node->bodies; bodies != 0; bodies &= bodies - 1) {
+      const auto lane = static_cast<unsigned>(__builtin_ctz(bodies));
+      keys[found++] = near_key(squares[lane], lane);
+    }
+    if (found > 0) {
+      if (!take.take(take.self, *node, keys, found)) return;
+      lanes.most = all<Lanes>(question.most);
+    }
+    node = waiting.next(*node, bits & ~node->bodies, squares, question.most);
+  }
+}
+
+}  // namespace
+}  // namespace cellsweep::queries
