@@ -2,7 +2,6 @@
 /// Whether a question can be answered, and the sentences that refuse one.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cfloat>
 #include <cmath>
@@ -15,10 +14,15 @@
 
 namespace cellsweep::queries {
 
-/// A component that moves, and none beyond floats.
-inline bool is_direction(const std::array<double, 3>& d) {
-  const double largest = std::max({std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2])});
-  return largest > 0 && largest <= FLT_MAX && d[0] == d[0] && d[1] == d[1] && d[2] == d[2];
+/// One that moves, and not beyond floats.
+inline bool is_direction(const std::array<double, 3>& direction) {
+  bool moves = false;
+  bool fits = true;
+  for (const double d : direction) {
+    moves = moves || d != 0;
+    fits = fits && std::fabs(d) <= FLT_MAX;
+  }
+  return moves && fits;
 }
 
 inline bool is_good(const Aabb& box) {

@@ -11,8 +11,6 @@
 #include <span>
 #include <type_traits>
 
-#include "cellsweep/query.h"
-
 namespace cellsweep::queries {
 
 /// Fewer are sorted as quickly by comparing two at a time, and of more than that counting takes longer.
