@@ -7,6 +7,7 @@
 #include "base/memory/memory.h"
 #include "base/tuning.h"
 #include "cellsweep/pair.h"
+#include "engines/stream/cells/lane_sort.h"
 #include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {
@@ -41,15 +42,20 @@ AxisRange range_of(double low, double quarter, double last_quarter, double high)
   return {origin, std::min(high, quarter + 1.5 * middle_half) - origin};
 }
 
-AxisRange measure_axis(std::span<const Aabb> boxes, std::size_t axis) {
-  std::array<float, kSample> minima;
+std::array<AxisRange, 3> measure_axes(std::span<const Aabb> boxes) {
+  std::array<Float4, kSample> minima;  // NOLINT(*-member-init): as far as it is read
   const std::size_t count = boxes.size();
-  for (std::size_t i = 0; i < count; ++i) minima[i] = boxes[i].min[axis];
-  std::sort(minima.begin(), minima.begin() + static_cast<std::ptrdiff_t>(count));
-  return range_of(minima[0], minima[count / 4], minima[count - 1 - count / 4], minima[count - 1]);
+  for (std::size_t i = 0; i < count; ++i) minima[i] = BoxLanes(boxes[i]).min;
+  sort_lanes({minima.data(), count});
+  std::array<AxisRange, 3> ranges;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    ranges[axis] = range_of(minima[0][axis], minima[count / 4][axis], minima[count - 1 - count / 4][axis],
+                            minima[count - 1][axis]);
+  }
+  return ranges;
 }
 
-/// The same of all boxes, of which there are some. `minima` is working memory.
+/// The same of an axis of all boxes, of which there are some. `minima` is working memory.
 [[gnu::cold]] AxisRange measure_axis(const Boxes& boxes, std::size_t axis, Vector<float>& minima) {
   minima.clear();
   for (std::size_t i = 0; i < boxes.count(); ++i) {
@@ -98,19 +104,13 @@ class Ranges {
 /// at equal distances, as large ones do sometimes.
 Float4 large_edges(std::span<const Aabb> boxes, const Ranges& ranges) {
   constexpr std::size_t kFarApart = 37;
-  std::array<std::array<float, tuning::kEdgeSample>, 3> edges;
+  std::array<Float4, tuning::kEdgeSample> edges;  // NOLINT(*-member-init): as far as it is read
   const std::size_t count = std::min(boxes.size(), tuning::kEdgeSample);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Float4 of_box = ranges.edges(boxes[i * kFarApart % boxes.size()]);
-    for (std::size_t axis = 0; axis < 3; ++axis) edges[axis][i] = of_box[axis];
-  }
-  Float4 limits{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    float* const middle = edges[axis].data() + count / 2;
-    std::nth_element(edges[axis].data(), middle, edges[axis].data() + count);
-    limits[axis] = std::min(*middle * kLargeEdges, FLT_MAX);
-  }
-  return limits;
+  for (std::size_t i = 0; i < count; ++i) edges[i] = ranges.edges(boxes[i * kFarApart % boxes.size()]);
+  sort_lanes({edges.data(), count});
+  const Float4 limits = edges[count / 2] * kLargeEdges;
+  const Float4 most = Float4{} + FLT_MAX;
+  return limits < most ? limits : most;
 }
 
 /// Sums of the extents of boxes that are large, or of those that are not, and how many there are.
@@ -248,7 +248,7 @@ BoxSample take_sample(const Boxes& boxes, Look look) {
   draw(boxes, drawn);
   BoxSample sample;
   if (drawn.count == 0) return sample;
-  for (std::size_t axis = 0; axis < 3; ++axis) sample.axes[axis] = measure_axis(drawn.view(), axis);
+  sample.axes = measure_axes(drawn.view());
   const Ranges ranges(sample.axes);
   const Float4 limits = large_edges(drawn.view(), ranges);
   const Sums usual = sum_usual(drawn.view(), ranges, limits);
