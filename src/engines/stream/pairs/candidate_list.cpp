@@ -31,6 +31,27 @@ void cancel_equal(Array<SlotPair>& one, Array<SlotPair>& other) {
   other.shrink(j_kept);
 }
 
+/// Writes the pairs of changed slots to a list and returns its end. Which these are nobody can foretell, but
+/// mostly there are none among the next few: there is no branch on one alone.
+SlotPair* list_changed(std::span<const SlotPair> pairs, const std::uint8_t* changed, SlotPair* to) {
+  constexpr std::size_t kFew = 8;
+  const auto is_changed = [=](const SlotPair& pair) { return changed[pair.a] | changed[pair.b]; };
+  const auto list = [&](std::span<const SlotPair> some) {
+    for (const SlotPair& pair : some) {
+      *to = pair;
+      to += is_changed(pair) != 0 ? 1 : 0;
+    }
+  };
+  std::size_t i = 0;
+  for (; i + kFew <= pairs.size(); i += kFew) {
+    int any = 0;
+    for (std::size_t k = 0; k < kFew; ++k) any |= is_changed(pairs[i + k]);
+    if (any != 0) list(pairs.subspan(i, kFew));
+  }
+  list(pairs.subspan(i));
+  return to;
+}
+
 }  // namespace
 
 std::span<const SlotPair> CandidateList::pairs(Crew& crew) {
@@ -93,19 +114,14 @@ SlotPairChanges CandidateList::change(Crew& crew, KeyParts touched, const std::u
   return {std::as_const(began_).view(), std::as_const(ended_).view()};
 }
 
-// Which these are nobody can foretell: there is no branch on it.
 void CandidateList::list_pairs_of(Crew& crew, const std::uint8_t* changed, Array<SlotPair>& listed) const {
   listed.renew(pairs_.size());
   std::vector<std::size_t> counts(crew.active());
   crew.run([&](unsigned worker) {
     const Share share = Share::of(pairs_.size(), worker, crew.active());
     SlotPair* const first = listed.data() + share.first;
-    SlotPair* to = first;
-    for (const SlotPair& pair : pairs_.view().subspan(share.first, share.last - share.first)) {
-      *to = pair;
-      to += (changed[pair.a] | changed[pair.b]) != 0 ? 1 : 0;
-    }
-    counts[worker] = static_cast<std::size_t>(to - first);
+    const auto mine = std::as_const(pairs_).view().subspan(share.first, share.last - share.first);
+    counts[worker] = static_cast<std::size_t>(list_changed(mine, changed, first) - first);
   });
   std::size_t size = counts[0];
   for (unsigned worker = 1; worker < crew.active(); ++worker) {

@@ -10,15 +10,9 @@
 #include "base/memory/array.h"
 #include "cellsweep/engine/slots.h"
 #include "engines/stream/pairs/candidate_list.h"
+#include "engines/stream/pairs/candidate_tests.h"
 
 namespace cellsweep::stream {
-
-/// The boxes to test, by slot.
-struct TestedBoxes {
-  const Aabb* boxes = nullptr;
-  /// By slot: not 0 where the box is new since the last test; null to test all.
-  const std::uint8_t* fresh = nullptr;
-};
 
 /// Boxes as they were at the last test, by slot.
 struct BoxesBefore {
@@ -60,8 +54,8 @@ class OverlapMarks {
   std::size_t bytes() const;
 
  private:
-  template <class Test>
-  void mark(Crew& crew, std::span<const SlotPair> candidates, Test&& test);
+  template <class Mark>
+  void mark(Crew& crew, std::span<const SlotPair> candidates, Mark&& mark);
   void make_room(std::size_t candidates, std::size_t ended);
 
   Array<std::uint8_t> marks_;
