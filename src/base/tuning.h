@@ -59,6 +59,8 @@ inline constexpr std::uint32_t kOneAhead = 12;
 inline constexpr std::uint32_t kOneAheadAtLeast = 4;
 /// How much of its own length a box may grow on an axis.
 inline constexpr float kMostGrowth = 0.5F;
+/// And how much it grows at least when it moves. EPYC, stacks in Bullet, which sink a little in each step.
+inline constexpr float kLeastGrowth = 1.0F / 64;
 /// And to either side when it trembles; what moves further at a time is on its way. EPYC, cubes that go to
 /// and fro: a step below it leaves no fat box, one above it every time.
 inline constexpr float kMostTremble = 0.125F;
@@ -67,8 +69,19 @@ inline constexpr float kMostTremble = 0.125F;
 inline constexpr unsigned kEarly = 3;
 /// Of one that is known to tremble, whose fat boxes are made for the most updates. EPYC, stacks in Bullet.
 inline constexpr unsigned kEarlyOfTrembling = 8;
-/// The least that a fat box reaches to either side, then, is kMostTremble halved so often.
-inline constexpr unsigned kMostHalvings = 15;
+/// The least that a fat box reaches to either side, then, is kMostTremble halved so often: kLeastGrowth. EPYC,
+/// stacks in Bullet: half as many leave theirs as with 15.
+inline constexpr unsigned kMostHalvings = 3;
+
+/// To make all fat boxes anew takes as long as so many looks at a candidate for each body, and so many for each
+/// candidate. EPYC, piles in Bullet, 5,000 and 20,000.
+inline constexpr std::uint64_t kLooksOfFull = 25;
+inline constexpr std::uint64_t kLooksOfCandidate = 5;
+/// They are once candidates that are no pairs have cost so many times that, up to so many times more where it
+/// was of no use, which shows so many updates later. Chosen, not measured.
+inline constexpr std::uint64_t kPricesOfRefit = 2;
+inline constexpr std::uint64_t kMostPatienceOfRefit = 32;
+inline constexpr std::uint32_t kUpdatesToRefit = 16;
 
 // --- finding everything anew a part at a time
 // --------------------------------------------------------------------------
@@ -158,11 +171,29 @@ inline constexpr std::uint32_t kVectorsOfSwept = 6;
 inline constexpr std::uint32_t kTestsOfSwept = 8;
 /// What a sweep learnt of where boxes are is good for so many more. EPYC, AVX-512, 1,000 bodies, all moving.
 inline constexpr std::uint32_t kSweepsOfSample = 16;
-/// So many bodies are watched for so many updates to tell whether they tremble; where they do, fat boxes are
-/// given so many to last. Chosen, not measured.
+/// So many bodies are watched for so many updates to tell whether they tremble. Chosen, not measured.
 inline constexpr std::size_t kWatched = 32;
 inline constexpr std::uint32_t kUpdatesWatched = 8;
-inline constexpr std::uint32_t kTrialOfFatBoxes = 64;
+/// One that did not stray further in that time, in its own lengths, is as good as at rest.
+inline constexpr float kHardlyMoved = 1.0F / 256;
+/// Fat boxes have so many updates at most to settle, then are judged by so many at a time; by fewer where they
+/// take so many sweeps more.
+inline constexpr std::uint32_t kUpdatesOfSettling = 8;
+inline constexpr std::uint32_t kUpdatesJudged = 8;
+inline constexpr double kMostExcess = 4;
+/// The most verdicts in a row that it takes to try them again, or to forget that they once did not last.
+inline constexpr std::uint32_t kMostPatienceOfSweeps = 8;
+/// Where a sweep would have taken more than cells, there is none for so many updates.
+inline constexpr std::uint32_t kPauseOfSweeps = 64;
+/// Nanoseconds, roughly, of an update with fat boxes: of each body, of one whose fat box is put into cells, of
+/// one when all are, and of a candidate. EPYC, AVX-512, 1,000 bodies, all moving, and piles in Bullet.
+inline constexpr double kFatBoxCost = 6;
+inline constexpr double kPlacedCost = 220;
+inline constexpr double kAllPlacedCost = 60;
+inline constexpr double kCandidateCost = 4;
+/// And of an update by a sweep: of each body and of each pair.
+inline constexpr double kSweptCost = 20;
+inline constexpr double kSweptPairCost = 9;
 
 // --- one-shot searches
 // ------------------------------------------------------------------------------------------------------------
@@ -198,8 +229,6 @@ inline constexpr std::size_t kRun = 256;
 inline constexpr std::size_t kCandidatesOfQuery = 200;
 /// A box that is far is asked for so many candidates before it is tested. EPYC, uniform 1,000,000.
 inline constexpr std::size_t kAhead = 16;
-/// So many candidates and more are of boxes that are far.
-inline constexpr std::size_t kFar = 20'000;
 /// So many candidates and twice the pairs allowed are always looked at.
 inline constexpr std::size_t kFewCandidates = 1000;
 

@@ -43,6 +43,7 @@ std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped, cons
 
 bool Rebuild::begin(const BodyChanges& changes) {
   if (age_ != 1 || !search_.has_cells()) return false;
+  if (!fat_boxes_.are_being_left(changes, tuning::kAllAhead)) return false;
   watch_.begin(changes);
   fat_boxes_.begin_prepared();
   holds_memory_ = true;

@@ -1,13 +1,30 @@
 #include "engines/stream/small_world.h"
 
+#include <algorithm>
+
 #include "base/tuning.h"
 
 namespace cellsweep::stream {
+namespace {
+
+double cost_of_fat_boxes(const FatBoxWork& work) {
+  const auto bodies = static_cast<double>(work.bodies);
+  const double placed =
+      work.is_full ? tuning::kAllPlacedCost * bodies : tuning::kPlacedCost * static_cast<double>(work.placed);
+  return tuning::kFatBoxCost * bodies + placed +
+         tuning::kCandidateCost * static_cast<double>(work.candidates);
+}
+
+double cost_of_sweep(const FatBoxWork& work) {
+  return tuning::kSweptCost * static_cast<double>(work.bodies) +
+         tuning::kSweptPairCost * static_cast<double>(work.pairs);
+}
+
+}  // namespace
 
 bool SmallWorld::begin_update(const BodyChanges& changes) {
   if (!may_be_swept_) return false;
   much_motion_ = has_much_motion(changes);
-  if (rests_ > 0) --rests_;
   if (!much_motion_) {
     is_swept_ = is_swept_ && changes.moved.empty();
     seen_ = 0;
@@ -22,14 +39,19 @@ bool SmallWorld::has_much_motion(const BodyChanges& changes) const {
          !changes.moved.empty();
 }
 
-void SmallWorld::note_full() {
-  if (may_be_swept_ && much_motion_ && rests_ == 0) is_swept_ = true;
+void SmallWorld::give_up() {
+  try_fat_boxes();
+  pause_ = tuning::kPauseOfSweeps;
 }
 
-void SmallWorld::give_up() {
+void SmallWorld::try_fat_boxes() {
   is_swept_ = false;
   seen_ = 0;
-  rests_ = tuning::kTrialOfFatBoxes;
+  stays_ = 0;
+  settling_ = tuning::kUpdatesOfSettling;
+  judged_ = 0;
+  excess_ = 0;
+  lasted_ = 0;
 }
 
 // After so many updates the verdict, and anew.
@@ -42,7 +64,39 @@ void SmallWorld::watch(const BodyChanges& changes) {
   }
   if (++seen_ < tuning::kUpdatesWatched) return;
   seen_ = 0;
-  if (watch_.most_stay()) give_up();
+  stays_ = watch_.most_stay() ? stays_ + 1 : 0;
+  if (stays_ >= patience_) try_fat_boxes();
+}
+
+// Only where bodies move as much as in a world that is swept.
+void SmallWorld::note(const FatBoxWork& work) {
+  if (!may_be_swept_ || !much_motion_) return;
+  if (pause_ > 0) {
+    --pause_;
+    return;
+  }
+  if (settling_ > 0 && work.is_full) {
+    --settling_;
+    return;
+  }
+  settling_ = 0;
+  const double swept = cost_of_sweep(work);
+  excess_ += cost_of_fat_boxes(work) - swept;
+  if (++judged_ == tuning::kUpdatesJudged || excess_ > tuning::kMostExcess * swept) judge();
+}
+
+// Where fat boxes did not last, they are tried less soon again.
+void SmallWorld::judge() {
+  if (excess_ > 0) {
+    is_swept_ = true;
+    lasted_ = 0;
+    patience_ = std::min(2 * patience_, tuning::kMostPatienceOfSweeps);
+  } else if (++lasted_ == tuning::kMostPatienceOfSweeps) {
+    lasted_ = 0;
+    patience_ = 1;
+  }
+  judged_ = 0;
+  excess_ = 0;
 }
 
 }  // namespace cellsweep::stream

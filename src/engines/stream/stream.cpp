@@ -44,6 +44,11 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
   }
   uses_prepared_ = rebuild_.begin_update(changes);
   crew_.plan(changes.moved.size(), tuning::kMoveGuess);
+  if (!uses_prepared_ && slack_cost_.is_high(bodies_, overlaps_.candidates())) {
+    slack_cost_.note_refit(overlaps_.candidates());
+    fat_boxes_.refit(crew_, changes);
+    return kFull;
+  }
   switch (fat_boxes_.take(crew_, changes, most_listed_)) {
     case FatBoxes::Extent::inside:
       return kInPlace;
@@ -56,8 +61,11 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
 
 void Stream::note_full() {
   rebuild_.note_full();
-  if (!is_swept_) small_world_.note_full();
   if (is_swept_ && search_.has_cells()) small_world_.give_up();
+}
+
+FatBoxWork Stream::work_of(Kind kind) const {
+  return {bodies_, kind == kFull, fat_boxes_.changes().size(), overlaps_.candidates(), pairs_};
 }
 
 Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statistics) {
@@ -90,6 +98,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
     forget_all();
     throw;
   }
+  if (!is_swept_) small_world_.note(work_of(kind));
   most_listed_ = search_.is_worn_out() || parts_.finder ? 0 : costs_.most_listed(bodies_);
   was_full_ = kind == kFull;
   ++updates_[kind];
@@ -164,6 +173,7 @@ bool Stream::find_of_few(const BodyChanges& changes, PhaseTimer& timer, FoundPai
 
 FoundPairs Stream::find_in_place(const BodyChanges& changes, PhaseTimer& timer) {
   const FoundPairs found = overlaps_.test(changes, {});
+  slack_cost_.note(overlaps_.candidates(), pairs_);
   timer.lap("tests");
   return found;
 }
@@ -181,6 +191,7 @@ bool Stream::find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPa
   timer.lap("sort");
   costs_.partial.learn(start, crew_.active(), count);
   found = overlaps_.test(changes, of_candidates);
+  slack_cost_.note(overlaps_.candidates(), pairs_);
   timer.lap("tests");
   return true;
 }
@@ -192,6 +203,7 @@ FoundPairs Stream::find_prepared(const BodyChanges& changes, Kind& kind, PhaseTi
   search_.use_prepared();
   overlaps_.use_prepared();
   rebuild_.note_used(bodies_);
+  slack_cost_.note_made();
   const std::size_t count = fat_boxes_.changes().size();
   if (count > 0) {
     crew_.plan(count, costs_.partial.seconds());

@@ -17,6 +17,7 @@
 #include "engines/stream/pairs/overlaps.h"
 #include "engines/stream/rebuild.h"
 #include "engines/stream/search.h"
+#include "engines/stream/slack_cost.h"
 #include "engines/stream/small_world.h"
 
 namespace cellsweep::stream {
@@ -66,6 +67,7 @@ class Stream final : public Engine, public HasFinder {
   std::size_t bytes_held() const { return fat_boxes_.bytes() + search_.bytes() + overlaps_.bytes(); }
   std::size_t most_bytes() const;
   void note_full();
+  FatBoxWork work_of(Kind kind) const;
   void note_idle(Statistics& statistics);
   [[gnu::cold]] void refresh_counters(Statistics& statistics);
 
@@ -77,6 +79,7 @@ class Stream final : public Engine, public HasFinder {
   Rebuild rebuild_;
   SmallWorld small_world_;
   Costs costs_;
+  SlackCost slack_cost_;
   bool is_swept_ = false;        // this update finds all anew, without fat boxes
   bool uses_prepared_ = false;   // this update
   bool was_full_ = false;        // the last update

@@ -69,6 +69,30 @@ TEST_F(SmallWorldTest, HasFatBoxesWhileBodiesTremble) {
   EXPECT_EQ(full, 0U);
 }
 
+// As stacks do that come to rest: in one direction, and nobody leaves a fat box for long.
+TEST_F(SmallWorldTest, HasFatBoxesWhileBodiesCreep) {
+  std::vector<Aabb> boxes = courses_.boxes();
+  std::uint64_t full = 0;
+  for (std::uint64_t frame = 0; frame < 60; ++frame) {
+    for (Aabb& box : boxes) box.min[0] += 1e-4F, box.max[0] += 1e-4F;
+    ASSERT_NO_FATAL_FAILURE(update_with(boxes));
+    if (frame >= 20) full += was_full_ ? 1 : 0;
+  }
+  EXPECT_EQ(full, 0U);
+}
+
+// They go to and fro like those that tremble, but so far that fat boxes do not last.
+TEST_F(SmallWorldTest, IsSweptMostOfTheTimeWhereFatBoxesAreTriedAndDoNotLast) {
+  std::uint64_t full = 0;
+  for (std::uint64_t frame = 0; frame < 200; ++frame) {
+    std::vector<Aabb> boxes = courses_.boxes();
+    shake(boxes, 0.6F, frame);
+    ASSERT_NO_FATAL_FAILURE(update_with(boxes));
+    if (frame >= 100) full += counter(engine_, "boxes in cells") == 0 ? 1 : 0;
+  }
+  EXPECT_GT(full, 70U);
+}
+
 TEST_F(SmallWorldTest, HasFatBoxesWhileFewMove) {
   for (int frame = 0; frame < 20; ++frame) ASSERT_NO_FATAL_FAILURE(go_on());
   for (int frame = 0; frame < 20; ++frame) {

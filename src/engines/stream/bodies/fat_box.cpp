@@ -34,9 +34,17 @@ Float4 where_near(Float4 step, Float4 edge, Float4 values) {
 }
 
 /// How far a face may be carried by a body that keeps its course, with its sign.
-Float4 growth(Float4 step, Float4 edge, float updates) {
+Float4 carried(Float4 step, Float4 edge, float updates) {
   const Float4 most = edge * tuning::kMostGrowth;
   return smaller(larger(step * updates, -most), most);
+}
+
+/// How far a fat box reaches that way. That of a slow body is to last for long.
+Float4 growth(Float4 step, Float4 edge, float updates) {
+  const Float4 none = splat(0);
+  const Float4 least = edge * tuning::kLeastGrowth;
+  const Float4 far = carried(step, edge, updates);
+  return step > none ? larger(far, least) : step < none ? smaller(far, -least) : none;
 }
 
 /// And how far to either side by one that may turn, or by any body.
@@ -82,6 +90,14 @@ Aabb fat_box_of(const Aabb& old, const Aabb& now_box, const Outlook& outlook) {
                              -to_either_side(low_step, edge, outlook));
   const Float4 high = larger(where_near(high_step, edge, growth(high_step, edge, outlook.updates)),
                              to_either_side(high_step, edge, outlook));
+  return box_of(within_numbers(smaller(now.min + low, now.min)),
+                within_numbers(larger(now.max + high, now.max)));
+}
+
+Aabb course_of(const Aabb& old, const Aabb& now_box, float updates) {
+  const auto [now, edge, low_step, high_step] = Motion(old, now_box);
+  const Float4 low = where_near(low_step, edge, carried(low_step, edge, updates));
+  const Float4 high = where_near(high_step, edge, carried(high_step, edge, updates));
   return box_of(within_numbers(smaller(now.min + low, now.min)),
                 within_numbers(larger(now.max + high, now.max)));
 }

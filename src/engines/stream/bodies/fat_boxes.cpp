@@ -10,16 +10,19 @@
 #include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {
-FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::size_t most_listed) {
+void FatBoxes::begin_update(const BodyChanges& changes) {
   changes_.clear();
   ++updates_;
   if (!slack_ && !changes.moved.empty()) make_slack(changes);
-  if (slack_) {
-    make_room(fat_, changes.boxes.size());
-    fat_.resize(changes.boxes.size(), kNobody);
-    make_room(courses_, changes.boxes.size());
-    courses_.resize(changes.boxes.size(), course_of_long_ago());
-  }
+  if (!slack_) return;
+  make_room(fat_, changes.boxes.size());
+  fat_.resize(changes.boxes.size(), kNobody);
+  make_room(courses_, changes.boxes.size());
+  courses_.resize(changes.boxes.size(), course_of_long_ago());
+}
+
+FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::size_t most_listed) {
+  begin_update(changes);
   const std::size_t changed = find_escapes(crew, changes) + changes.removed.size() + changes.inserted.size();
   if (changed > most_listed) {
     renew_all(crew, changes);
@@ -27,6 +30,15 @@ FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::siz
   }
   list(changes, changed);
   return changed == 0 ? Extent::inside : Extent::listed;
+}
+
+// One that trembles was given what lasted then.
+void FatBoxes::refit(Crew& crew, const BodyChanges& changes) {
+  begin_update(changes);
+  escapes_.renew(changes.moved.size());
+  std::fill_n(escapes_.data(), changes.moved.size(), std::uint8_t{1});
+  for (const Slot slot : changes.moved) courses_[slot] = course_of_long_ago();
+  renew_all(crew, changes);
 }
 
 // The boxes as they were: the cells hold these.
@@ -103,8 +115,8 @@ bool FatBoxes::are_being_left(const BodyChanges& changes, float updates) const {
   std::size_t left = 0;
   for (std::size_t i = 0; i < changes.moved.size(); i += step) {
     const Slot slot = changes.moved[i];
-    const Aabb next = fat_box_of(changes.before[slot], changes.boxes[slot], {.updates = updates});
-    left += encloses(BoxLanes(fat_[slot]), BoxLanes(next)) ? 0 : 1;
+    const Aabb course = course_of(changes.before[slot], changes.boxes[slot], updates);
+    left += encloses(BoxLanes(fat_[slot]), BoxLanes(course)) ? 0 : 1;
     ++looks;
   }
   return 2 * left > looks;

@@ -46,6 +46,8 @@ class FatBoxes {
   /// Takes changes in, of which there are some; up to `most_listed` changes of fat boxes are listed one by
   /// one.
   Extent take(Crew& crew, const BodyChanges& changes, std::size_t most_listed);
+  /// The same, and those of all bodies that moved are made anew, as small as they may turn out to last.
+  void refit(Crew& crew, const BodyChanges& changes);
 
   /// Each slot once; after Extent::listed. Valid until the next take().
   std::span<const FatBoxChange> changes() const { return changes_.view(); }
@@ -90,6 +92,7 @@ class FatBoxes {
   static void judge(Course& course, unsigned age, float step);
   static float reach_of(unsigned halvings);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
+  void begin_update(const BodyChanges& changes);
   void renew_all(Crew& crew, const BodyChanges& changes);
   void list(const BodyChanges& changes, std::size_t count);
   void list_removed(Slot slot, const Aabb& before);

@@ -42,14 +42,18 @@ void Watch::follow(Body& body, const Aabb& now) {
   body.box = now;
 }
 
-// A body that keeps its course gets as far as its way is long.
+// A body that keeps its course gets as far as its way is long. One that has hardly moved at all does not leave
+// its fat box soon.
 bool Watch::stays(const Body& body) {
   float far = 0;
+  bool has_moved = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float length = body.box.max[axis] - body.box.min[axis];
-    far = std::max(far, body.reach.max[axis] - body.reach.min[axis] - length);
+    const float more = body.reach.max[axis] - body.reach.min[axis] - length;
+    far = std::max(far, more);
+    has_moved = has_moved || more > length * tuning::kHardlyMoved;
   }
-  return 2 * far <= body.way;
+  return !has_moved || 2 * far <= body.way;
 }
 
 }  // namespace cellsweep::stream

@@ -36,6 +36,13 @@ TEST(FatBox, ReachesWhereTheBodyIsGoing) {
   EXPECT_EQ(fat_box_of(unit_at(0.0625F), kUnit, {4}), (Aabb{{-0.25F, 0, 0}, {1, 1, 1}}));
 }
 
+TEST(FatBox, OfASlowBodyLastsForLongTheWayItGoes) {
+  constexpr float kStep = 1.0F / 4096;
+  const Aabb fat = fat_box_of(kUnit, unit_at(kStep), {4});
+  EXPECT_EQ(fat, (Aabb{{kStep, 0, 0}, {1 + kStep + 1.0F / 64, 1, 1}}));
+  EXPECT_EQ(fat_box_of(unit_at(kStep), kUnit, {4}), (Aabb{{-1.0F / 64, 0, 0}, {1, 1, 1}}));
+}
+
 TEST(FatBox, EnclosesTheBodyAsLongAsItKeepsItsCourse) {
   const Aabb fat = fat_box_of(kUnit, unit_at(0.0625F), {4});
   for (int update = 0; update <= 4; ++update)
@@ -53,6 +60,14 @@ TEST(FatBox, GrowsWithABoxThatGrows) {
 TEST(FatBox, GrowsByHalfItsLengthAtMost) {
   EXPECT_EQ(fat_box_of(kUnit, unit_at(0.5F), {8}), (Aabb{{0.5F, 0, 0}, {2, 1, 1}}));
   EXPECT_EQ(fat_box_of(kUnit, unit_at(-1), {8}), (Aabb{{-1.5F, 0, 0}, {0, 1, 1}}));
+}
+
+TEST(Course, IsTheWayOfABodyAsFarAsAFatBoxFollowsIt) {
+  constexpr float kStep = 1.0F / 4096;
+  EXPECT_EQ(course_of(kUnit, kUnit, 8), kUnit);
+  EXPECT_EQ(course_of(kUnit, unit_at(kStep), 8), (Aabb{{kStep, 0, 0}, {1 + 9 * kStep, 1, 1}}));
+  EXPECT_EQ(course_of(kUnit, unit_at(-0.25F), 8), (Aabb{{-0.75F, 0, 0}, {0.75F, 1, 1}}));
+  EXPECT_EQ(course_of(kUnit, unit_at(1.5F), 8), unit_at(1.5F));
 }
 
 TEST(FatBox, OfABodyThatJumpsFurtherThanItsLengthIsItsBox) {

@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "base/numbers_of_workers.h"
@@ -67,10 +68,21 @@ class FatBoxesTest : public testing::TestWithParam<unsigned> {
 
   /// Hands over what happened. Checks what is listed, and that fat boxes enclose boxes.
   Extent take(std::size_t most_listed = kAny) {
-    const Extent extent =
-        fat_.take(crew_, {boxes_, before_, removed_, moved_, inserted_, bodies()}, most_listed);
-    const Aabb* const fat = fat_.data(boxes_);
+    const Extent extent = fat_.take(crew_, changes(), most_listed);
     if (extent == Extent::listed) apply(fat_.changes());
+    end_update(extent);
+    return extent;
+  }
+  /// The same, and they are made anew.
+  void refit() {
+    fat_.refit(crew_, changes());
+    end_update(Extent::all);
+  }
+
+  BodyChanges changes() const { return {boxes_, before_, removed_, moved_, inserted_, bodies()}; }
+
+  void end_update(Extent extent) {
+    const Aabb* const fat = fat_.data(boxes_);
     if (extent == Extent::all) known_.assign(fat, fat + boxes_.size());
     known_.resize(boxes_.size(), kNobody);
     for (Slot slot = 0; slot < boxes_.size(); ++slot) {
@@ -82,7 +94,6 @@ class FatBoxesTest : public testing::TestWithParam<unsigned> {
     moved_.clear();
     removed_.clear();
     inserted_.clear();
-    return extent;
   }
 
   std::size_t listed() const { return fat_.changes().size(); }
@@ -240,6 +251,58 @@ TEST_P(FatBoxesTest, OfBodiesThatTrembleByChanceComeToLast) {
     }
     EXPECT_LT(changed, 100 * 200 / 10) << "a tenth of them at a time, where steps are up to " << most;
   }
+}
+
+// They sink, so little that a fat box made for a dozen of steps would have to be renewed all the time.
+TEST_P(FatBoxesTest, OfBodiesThatCreepLast) {
+  insert(std::vector<Aabb>(200, Aabb{{0, 0, 0}, {1, 1, 1}}));
+  take(0);
+  std::size_t changed = 0;
+  for (int step = 0; step < 100; ++step) {
+    for (Slot slot = 0; slot < 200; ++slot) move(slot, along_x(boxes_[slot], 1e-4F));
+    changed += take() == Extent::inside ? 0 : listed();
+  }
+  EXPECT_LE(changed, 200U);
+}
+
+TEST_P(FatBoxesTest, AreBeingLeftByBodiesOnTheirWayNotByThoseThatCreep) {
+  insert(std::vector<Aabb>(200, Aabb{{0, 0, 0}, {1, 1, 1}}));
+  take(0);
+  for (const auto& [step, leave] : {std::pair(1e-4F, false), std::pair(0.05F, true)}) {
+    for (int update = 0; update < 2; ++update) {
+      for (Slot slot = 0; slot < 200; ++slot) move(slot, along_x(boxes_[slot], step));
+      if (update == 0) refit();
+    }
+    EXPECT_EQ(fat_.are_being_left(changes(), 8), leave) << step;
+    take();
+  }
+}
+
+// What lasted while they trembled much is too large for what they do now.
+TEST_P(FatBoxesTest, OfBodiesThatCameToRestAreSmallerOnceMadeAnew) {
+  insert(std::vector<Aabb>(20, Aabb{{0, 0, 0}, {1, 1, 1}}));
+  take(0);
+  const auto tremble = [&](int step, float most) {
+    for (Slot slot = 0; slot < 20; ++slot) move(slot, along_x(boxes_[slot], step % 2 == 0 ? most : -most));
+  };
+  for (int step = 0; step < 40; ++step) {
+    tremble(step, 0.08F);
+    take();
+  }
+  for (int step = 0; step < 10; ++step) {
+    tremble(step, 1e-5F);
+    EXPECT_EQ(take(), Extent::inside);
+  }
+  EXPECT_GT(fat(0).max[1], 1.05F);
+  tremble(0, 1e-5F);
+  refit();
+  EXPECT_LE(fat(0).max[1], 1.02F);
+  std::size_t changed = 0;
+  for (int step = 1; step < 100; ++step) {
+    tremble(step, 1e-5F);
+    changed += take() == Extent::inside ? 0 : listed();
+  }
+  EXPECT_LE(changed, 3 * 20U) << "and last soon";
 }
 
 TEST_P(FatBoxesTest, OfABodyThatTrembledAndWentItsWayAreAsThoseOfOthers) {
