@@ -57,22 +57,27 @@ void CellsweepBroadphase::setAabb(btBroadphaseProxy* base, const btVector3& aabb
   proxy.m_aabbMin = aabb_min;
   proxy.m_aabbMax = aabb_max;
   if (!proxy.is_told) return;
-  if (proxy.place == Proxy::kNowhere) {
+  if (has_moved(proxy)) {
+    moved_boxes_[proxy.place] = box_of(proxy);
+  } else {
     proxy.place = moved_.size();
     moved_.push_back(proxy.id);
     moved_boxes_.push_back(box_of(proxy));
-  } else {
-    moved_boxes_[proxy.place] = box_of(proxy);
   }
+}
+
+// The list says so: to tell each proxy when it has been emptied would be one more look at all of them, which
+// the step has put out of the caches.
+bool CellsweepBroadphase::has_moved(const Proxy& proxy) const {
+  return proxy.place < moved_.size() && moved_[proxy.place] == proxy.id;
 }
 
 // The last one takes the place.
 void CellsweepBroadphase::forget_move(Proxy& proxy) {
-  if (proxy.place == Proxy::kNowhere) return;
+  if (!has_moved(proxy)) return;
   proxies_[moved_.back()].place = proxy.place;
   moved_[proxy.place] = moved_.back();
   moved_boxes_[proxy.place] = moved_boxes_.back();
-  proxy.place = Proxy::kNowhere;
   moved_.pop_back();
   moved_boxes_.pop_back();
 }
@@ -136,7 +141,7 @@ CellsweepBroadphase::Proxies CellsweepBroadphase::everybody() const {
 // The last update saw its box, or it is gone since.
 void CellsweepBroadphase::add_seen(BodyId id, Proxies& proxies) const {
   const Proxy& proxy = proxies_[id];
-  if (proxy.place == Proxy::kNowhere) proxies.push_back(&proxy);
+  if (!has_moved(proxy)) proxies.push_back(&proxy);
 }
 
 void CellsweepBroadphase::add_unseen(Proxies& proxies) const {
@@ -231,7 +236,6 @@ Status CellsweepBroadphase::tell_created() {
 Status CellsweepBroadphase::tell_moved() {
   Status status = broadphase_.move(moved_, moved_boxes_);
   if (!status.ok()) return status;
-  for (const BodyId id : moved_) proxies_[id].place = Proxy::kNowhere;
   moved_.clear();
   moved_boxes_.clear();
   return status;

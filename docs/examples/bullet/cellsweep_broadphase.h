@@ -68,12 +68,10 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
  private:
   /// A body of the broadphase, or a place for the next one.
   struct Proxy : btBroadphaseProxy {
-    static constexpr std::size_t kNowhere = ~std::size_t{0};
-
     cellsweep::BodyId id = 0;
     bool is_there = false;
-    bool is_told = false;          // to the broadphase
-    std::size_t place = kNowhere;  // among those that moved
+    bool is_told = false;   // to the broadphase
+    std::size_t place = 0;  // among those that moved, if it is one of them: has_moved()
   };
 
   using Proxies = std::vector<const Proxy*>;
@@ -85,6 +83,7 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
   void add_unseen(Proxies& proxies) const;
 
   Proxy& take_proxy();
+  bool has_moved(const Proxy& proxy) const;
   void forget_move(Proxy& proxy);
   cellsweep::Status tell_changes();
   cellsweep::Status tell_removed();
