@@ -95,8 +95,8 @@ bool overlap(const Aabb* boxes, const SlotPair& pair) {
   return cellsweep::overlap(BoxLanes(boxes[pair.a]), BoxLanes(boxes[pair.b]));
 }
 
-/// Which of the first `count` candidates, at most kBlock, overlap, a bit each. Nobody can foretell it: there is
-/// no branch.
+/// Which of the first `count` candidates, at most kBlock, overlap, a bit each. Nobody can foretell it: there
+/// is no branch.
 std::uint64_t overlaps_of(std::span<const SlotPair> candidates, std::size_t count, const Aabb* boxes) {
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -146,7 +146,8 @@ void test_all(const Run& run, const Aabb* boxes, TestOutput& output) {
   output.marks += run.count;
 }
 
-/// Tests those with a fresh box. Which these are nobody can foretell: a list of them is made without a branch.
+/// Tests those with a fresh box. Which these are nobody can foretell: a list of them is made without a
+/// branch.
 void test_fresh(const Run& run, const TestedBoxes& tested, TestOutput& output) {
   std::array<std::uint16_t, tuning::kRun> picked;  // NOLINT(*-member-init): written before it is read
   std::size_t count = 0;
