@@ -33,15 +33,15 @@ class SmallWorld {
   bool begin_update(const BodyChanges& changes);
 
   /// An update with fat boxes has ended.
-  void note(const FatBoxWork& work);
+  [[gnu::cold]] void note(const FatBoxWork& work);
   /// A sweep would have taken more than cells: there are fat boxes for some time.
   void give_up();
 
  private:
   bool has_much_motion(const BodyChanges& changes) const;
   void watch(const BodyChanges& changes);
-  void try_fat_boxes();
-  void judge();
+  [[gnu::cold]] void try_fat_boxes();
+  [[gnu::cold]] void judge();
 
   bool may_be_swept_;
   bool is_swept_ = true;        // as long as nobody moved, nothing speaks for fat boxes

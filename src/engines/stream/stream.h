@@ -55,7 +55,7 @@ class Stream final : public Engine, public HasFinder {
   Kind take(const BodyChanges& changes);
   FoundPairs find_prepared(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
   FoundPairs find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
-  FoundPairs find_none(const BodyChanges& changes);
+  [[gnu::cold]] FoundPairs find_none(const BodyChanges& changes);
   bool find_of_few(const BodyChanges& changes, PhaseTimer& timer, FoundPairs& found);
   FoundPairs find_in_place(const BodyChanges& changes, PhaseTimer& timer);
   bool find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPairs& found);

@@ -20,7 +20,7 @@ Aabb fat_box_of(const Aabb& old, const Aabb& now, const Outlook& outlook);
 
 /// A box that encloses `now` and where the way that led from `old` to it leads to in so many updates, as far as
 /// fat boxes follow it.
-Aabb course_of(const Aabb& old, const Aabb& now, float updates);
+[[gnu::cold]] Aabb course_of(const Aabb& old, const Aabb& now, float updates);
 
 /// What a fat box is made for that will be used later.
 struct LaterOutlook {

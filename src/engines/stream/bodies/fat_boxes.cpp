@@ -14,11 +14,14 @@ void FatBoxes::begin_update(const BodyChanges& changes) {
   changes_.clear();
   ++updates_;
   if (!slack_ && !changes.moved.empty()) make_slack(changes);
-  if (!slack_) return;
-  make_room(fat_, changes.boxes.size());
-  fat_.resize(changes.boxes.size(), kNobody);
-  make_room(courses_, changes.boxes.size());
-  courses_.resize(changes.boxes.size(), course_of_long_ago());
+  if (slack_ && courses_.size() < changes.boxes.size()) make_room_for(changes.boxes.size());
+}
+
+void FatBoxes::make_room_for(std::size_t slots) {
+  make_room(fat_, slots);
+  make_room(courses_, slots);
+  fat_.resize(slots, kNobody);
+  courses_.resize(slots, course_of_long_ago());
 }
 
 FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::size_t most_listed) {

@@ -47,7 +47,7 @@ class FatBoxes {
   /// one.
   Extent take(Crew& crew, const BodyChanges& changes, std::size_t most_listed);
   /// The same, and those of all bodies that moved are made anew, as small as they may turn out to last.
-  void refit(Crew& crew, const BodyChanges& changes);
+  [[gnu::cold]] void refit(Crew& crew, const BodyChanges& changes);
 
   /// Each slot once; after Extent::listed. Valid until the next take().
   std::span<const FatBoxChange> changes() const { return changes_.view(); }
@@ -61,7 +61,7 @@ class FatBoxes {
   void use_prepared() { fat_.swap(prepared_); }
   /// Whether most of the bodies that moved have left the fat boxes that there are, or will within so many
   /// updates if they keep their course: some tell.
-  bool are_being_left(const BodyChanges& changes, float updates) const;
+  [[gnu::cold]] bool are_being_left(const BodyChanges& changes, float updates) const;
   /// Forgets them, and their memory.
   void drop_prepared() { prepared_ = Vector<Aabb>(); }
 
@@ -93,6 +93,7 @@ class FatBoxes {
   static float reach_of(unsigned halvings);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
   void begin_update(const BodyChanges& changes);
+  [[gnu::cold]] void make_room_for(std::size_t slots);
   void renew_all(Crew& crew, const BodyChanges& changes);
   void list(const BodyChanges& changes, std::size_t count);
   void list_removed(Slot slot, const Aabb& before);

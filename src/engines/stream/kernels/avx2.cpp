@@ -3,6 +3,7 @@
 #include "engines/stream/kernels/body.h"
 #include "engines/stream/kernels/lanes_avx2.h"
 #include "engines/stream/kernels/sets.h"
+#include "engines/stream/kernels/swept.h"
 
 namespace cellsweep::stream {
 namespace {
@@ -23,6 +24,7 @@ struct Avx2Bytes {
 
 }  // namespace
 
-constinit const Kernels kAvx2Kernels = make_kernels<Avx2Lanes, Avx2Bytes>(VectorIsa::avx2, "avx2");
+constinit const Kernels kAvx2Kernels =
+    make_kernels<Avx2Lanes>(VectorIsa::avx2, "avx2", eight_rows_at_once, sweep<Avx2Bytes>);
 
 }  // namespace cellsweep::stream

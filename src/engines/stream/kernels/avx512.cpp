@@ -3,6 +3,7 @@
 #include "engines/stream/kernels/body.h"
 #include "engines/stream/kernels/lanes_avx512.h"
 #include "engines/stream/kernels/sets.h"
+#include "engines/stream/kernels/swept.h"
 
 namespace cellsweep::stream {
 namespace {
@@ -22,6 +23,7 @@ struct Avx512Bytes {
 
 }  // namespace
 
-constinit const Kernels kAvx512Kernels = make_kernels<Avx512Lanes, Avx512Bytes>(VectorIsa::avx512, "avx512");
+constinit const Kernels kAvx512Kernels =
+    make_kernels<Avx512Lanes>(VectorIsa::avx512, "avx512", eight_rows_at_once, sweep<Avx512Bytes>);
 
 }  // namespace cellsweep::stream

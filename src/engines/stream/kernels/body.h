@@ -1,6 +1,5 @@
 /// @file
-/// The kernels for any vector: `Lanes` says how wide it is, gathers, broadcasts and compares; `Bytes` the
-/// same for vectors of bytes.
+/// The kernels for any vector: `Lanes` says how wide it is, gathers, broadcasts and compares.
 ///
 /// Whatever kernels call has internal linkage, here and in the other headers of this folder, and nothing of
 /// it is the standard library's. Of an inline function that several source files have, a member of std::array
@@ -113,47 +112,14 @@ void partners(const CellBoxes& cell, const TaggedBox& box, KeyBuffer& slots) {
   }
 }
 
-/// For sweep(): bits for those below `count`.
-template <class Bytes>
-std::uint64_t bytes_below(std::uint32_t count) {
-  return count >= Bytes::kCount ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
-}
-
-template <class Bytes>
-std::uint32_t sweep(const SweptBoxes& boxes, std::uint32_t& place, SweptHits* hits, std::uint32_t most) {
-  std::uint32_t count = 0;
-  for (; place < boxes.count; ++place) {
-    const std::uint32_t end = boxes.end[place];
-    if (count + (end - place) / Bytes::kCount + 1 > most) break;
-    const auto low_y = Bytes::broadcast(boxes.low_y[place]), high_y = Bytes::broadcast(boxes.high_y[place]);
-    const auto low_z = Bytes::broadcast(boxes.low_z[place]), high_z = Bytes::broadcast(boxes.high_z[place]);
-    for (std::uint32_t first = place + 1; first < end; first += Bytes::kCount) {
-      auto all = Bytes::less_equal(Bytes::load(boxes.low_y + first), high_y);
-      all = Bytes::both(all, Bytes::less_equal(low_y, Bytes::load(boxes.high_y + first)));
-      all = Bytes::both(all, Bytes::less_equal(Bytes::load(boxes.low_z + first), high_z));
-      all = Bytes::both(all, Bytes::less_equal(low_z, Bytes::load(boxes.high_z + first)));
-      hits[count] = {Bytes::bits(all) & bytes_below<Bytes>(end - first), place, first};
-      count += hits[count].lanes != 0 ? 1 : 0;
-    }
-  }
-  return count;
-}
-
-/// `Bytes` says what vectors of bytes are; void where there are none.
-template <class Bytes>
-constexpr auto sweep_with() -> decltype(Kernels::sweep) {
-  return sweep<Bytes>;
-}
-template <>
-constexpr auto sweep_with<void>() -> decltype(Kernels::sweep) {
-  return nullptr;
-}
-
-template <class Lanes, class Bytes>
-constexpr Kernels make_kernels(VectorIsa isa, const char* name) {
+/// `eight_rows` and `sweep` are null where there are no vectors of bytes.
+template <class Lanes>
+constexpr Kernels make_kernels(VectorIsa isa, const char* name,
+                               decltype(Kernels::eight_rows) eight_rows = nullptr,
+                               decltype(Kernels::sweep) sweep = nullptr) {
   static_assert(Lanes::kCount <= kMaxLanes);
-  return {
-      isa, name, Lanes::kCount, Lanes::kEightBlocks, all_pairs<Lanes>, partners<Lanes>, sweep_with<Bytes>()};
+  return {isa,        name, Lanes::kCount, Lanes::kEightBlocks, all_pairs<Lanes>, partners<Lanes>,
+          eight_rows, sweep};
 }
 
 }  // namespace

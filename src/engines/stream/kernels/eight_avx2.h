@@ -74,5 +74,20 @@ inline void eight_blocks_at_once(const Aabb* boxes, std::size_t step, const Grid
   put(blocks.more, _mm256_or_si256(more, _mm256_castps_si256(nobody)));
 }
 
+inline void eight_rows_at_once(const Aabb* boxes, const GridNumbers& grid, unsigned axis, EightRows& rows) {
+  __m256 faces[6];
+  gather_eight(boxes, sizeof(Aabb), faces);
+  const unsigned y = (axis + 1) % 3, z = (axis + 2) % 3;
+  const auto ends = [&](unsigned on, int bits) {
+    const __m256i high = cells_on_axis(faces[on + 3], grid, on);
+    return _mm256_or_si256(cells_on_axis(faces[on], grid, on), _mm256_slli_epi32(high, bits));
+  };
+  const __m256i others = _mm256_or_si256(ends(y, 8), _mm256_slli_epi32(ends(z, 8), 16));
+  _mm256_store_si256(reinterpret_cast<__m256i*>(rows.on_axis), ends(axis, 16));
+  _mm256_store_si256(reinterpret_cast<__m256i*>(rows.on_others), others);
+  const __m256 there = _mm256_cmp_ps(faces[0], faces[3], _CMP_LE_OQ);
+  rows.there = static_cast<std::uint32_t>(_mm256_movemask_ps(there));
+}
+
 }  // namespace
 }  // namespace cellsweep::stream

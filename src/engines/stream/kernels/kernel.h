@@ -34,6 +34,14 @@ struct alignas(32) EightBlocks {
   std::uint32_t more[8];    ///< cells more on all axes together: 0, 1 and then not two; kNobody for NaN
 };
 
+/// Eight boxes in small numbers: on one axis two of 16 bits each, the lower end below the upper one, and on
+/// the other two axes bytes: lower and upper end on the next axis, lower and upper end on the one after it.
+struct alignas(32) EightRows {
+  std::uint32_t on_axis[8];
+  std::uint32_t on_others[8];
+  std::uint32_t there;  ///< a bit for each that is somebody: not NaN
+};
+
 /// Boxes on two axes in bytes, in the order of a third axis. Behind the last one there is room for as many as
 /// a vector holds, with anything in it.
 struct SweptBoxes {
@@ -41,15 +49,15 @@ struct SweptBoxes {
   const std::uint8_t* high_y;
   const std::uint8_t* low_z;
   const std::uint8_t* high_z;
-  const std::uint32_t* end;  ///< for each the first one behind it that begins beyond it
+  const std::uint32_t* end;    ///< for each the first one behind it that begins beyond it
+  const std::uint32_t* slots;  ///< of each,
+  const Aabb* boxes;           ///< and the boxes by slot
   std::uint32_t count;
 };
 
-/// A box, and which of those from `first` on it overlaps as far as bytes tell, a bit each.
-struct SweptHits {
-  std::uint64_t lanes;
-  std::uint32_t place;
-  std::uint32_t first;
+struct SweepResult {
+  std::uint64_t tests;  ///< boxes tested
+  bool found_all;       ///< it did not give up
 };
 
 /// The kernels of one instruction set. Keys are those of slots.
@@ -70,10 +78,14 @@ struct Kernels {
   /// Appends the slots of the boxes that overlap this one, where the cell owns the pair.
   void (*partners)(const CellBoxes& cell, const TaggedBox& box, KeyBuffer& slots);
 
-  /// Compares boxes from `place` on with those behind them, as far as there is room for `most` hits, and says
-  /// how many there are; `place` becomes the first box that was not compared. `most` is at least one for each
-  /// vector of boxes. Null where there are no vectors of bytes.
-  std::uint32_t (*sweep)(const SweptBoxes& boxes, std::uint32_t& place, SweptHits* hits, std::uint32_t most);
+  /// Finds the small numbers of eight boxes: cells of the grid, as GridNumbers says, of which there are no
+  /// more than 65,536 on this axis and 256 on the others. Null where there are no vectors of bytes.
+  void (*eight_rows)(const Aabb* boxes, const GridNumbers& grid, unsigned axis, EightRows& rows);
+
+  /// Compares each box with those behind it, tests the boxes of those that overlap as far as bytes tell, and
+  /// appends the pairs. Gives up, with some pairs missing, after more tests than four for each pair and
+  /// these. Null where there are no vectors of bytes.
+  SweepResult (*sweep)(const SweptBoxes& boxes, std::uint64_t tests, KeyBuffer& found);
 };
 
 /// The kernels of an instruction set, or of the best one; null when this processor or build does not have it.

@@ -3,6 +3,6 @@
 #include "engines/stream/kernels/sets.h"
 
 namespace cellsweep::stream {
-constinit const Kernels kPortableKernels = make_kernels<PortableLanes, void>(VectorIsa::portable, "portable");
+constinit const Kernels kPortableKernels = make_kernels<PortableLanes>(VectorIsa::portable, "portable");
 
 }  // namespace cellsweep::stream

@@ -3,6 +3,7 @@
 #include "engines/stream/kernels/body.h"
 #include "engines/stream/kernels/lanes_sse41.h"
 #include "engines/stream/kernels/sets.h"
+#include "engines/stream/kernels/swept.h"
 
 namespace cellsweep::stream {
 namespace {
@@ -23,6 +24,7 @@ struct Sse41Bytes {
 
 }  // namespace
 
-constinit const Kernels kSse41Kernels = make_kernels<Sse41Lanes, Sse41Bytes>(VectorIsa::sse41, "sse4.1");
+constinit const Kernels kSse41Kernels =
+    make_kernels<Sse41Lanes>(VectorIsa::sse41, "sse4.1", eight_rows_in_turn, sweep<Sse41Bytes>);
 
 }  // namespace cellsweep::stream

@@ -75,22 +75,6 @@ class Walk {
   std::uint64_t next_change_ = kNoKey;
 };
 
-/// The candidates before, when they are those of now.
-class Same {
- public:
-  Same(const std::uint8_t* marks, std::size_t first) : marks_(marks + first) {}
-  bool next(std::uint64_t, SlotPair*&) { return *marks_++ != 0; }
-  std::size_t unchanged(std::span<const SlotPair> next) const { return next.size(); }
-  const std::uint8_t* take(std::size_t count) {
-    marks_ += count;
-    return marks_ - count;
-  }
-  void take_ended(std::uint64_t, SlotPair*&) {}
-
- private:
-  const std::uint8_t* marks_;
-};
-
 bool overlap(const Aabb* boxes, const SlotPair& pair) {
   return cellsweep::overlap(BoxLanes(boxes[pair.a]), BoxLanes(boxes[pair.b]));
 }
@@ -173,8 +157,7 @@ void test_fresh(const Run& run, const TestedBoxes& tested, TestOutput& output) {
 }
 
 /// A candidate that may have begun, or follow one that ended.
-template <class Before>
-void test_one(const SlotPair& pair, const Aabb* boxes, Before& before, TestOutput& output) {
+void test_one(const SlotPair& pair, const Aabb* boxes, Walk& before, TestOutput& output) {
   const bool was = before.next(pair_key(pair), output.ended);
   const bool is = overlap(boxes, pair);
   *output.marks++ = is ? 1 : 0;
@@ -182,43 +165,26 @@ void test_one(const SlotPair& pair, const Aabb* boxes, Before& before, TestOutpu
   if (was && !is) *output.ended++ = pair;
 }
 
-/// `test` is told of candidates that are what they were, at most `most` at a time.
-template <class Before, class Test>
-void test_runs(std::span<const SlotPair> candidates, std::size_t most, const Aabb* boxes, Before& before,
-               TestOutput& output, Test&& test) {
-  while (!candidates.empty()) {
-    const auto next = candidates.first(std::min(candidates.size(), most));
-    const std::size_t count = before.unchanged(next);
-    if (count > 0) test(Run{candidates, count, before.take(count)});
-    candidates = candidates.subspan(count);
-    if (count == next.size()) continue;
-    test_one(candidates.front(), boxes, before, output);
-    candidates = candidates.subspan(1);
-  }
-}
-
-template <class Before>
-void test_candidates(std::span<const SlotPair> candidates, const TestedBoxes& tested, Before& before,
-                     TestOutput& output) {
-  if (tested.fresh != nullptr) {
-    test_runs(candidates, tuning::kRun, tested.boxes, before, output,
-              [&](const Run& run) { test_fresh(run, tested, output); });
-  } else {
-    test_runs(candidates, kBlock, tested.boxes, before, output,
-              [&](const Run& run) { test_all(run, tested.boxes, output); });
-  }
+void test_run(const Run& run, const TestedBoxes& tested, TestOutput& output) {
+  if (tested.fresh != nullptr) return test_fresh(run, tested, output);
+  test_all(run, tested.boxes, output);
 }
 
 }  // namespace
 
 void test_share(const CandidateTest& test, const Share& share, TestOutput& output) {
-  const auto mine = test.candidates.subspan(share.first, share.last - share.first);
-  if (test.changes.began.empty() && test.changes.ended.empty()) {
-    Same before(test.old_marks, share.first);
-    return test_candidates(mine, test.tested, before, output);
-  }
+  const std::size_t most = test.tested.fresh != nullptr ? tuning::kRun : kBlock;
   Walk before(test.changes, test.old_marks, test.candidates, share.first);
-  test_candidates(mine, test.tested, before, output);
+  auto rest = test.candidates.subspan(share.first, share.last - share.first);
+  while (!rest.empty()) {
+    const auto next = rest.first(std::min(rest.size(), most));
+    const std::size_t count = before.unchanged(next);
+    if (count > 0) test_run({rest, count, before.take(count)}, test.tested, output);
+    rest = rest.subspan(count);
+    if (count == next.size()) continue;
+    test_one(rest.front(), test.tested.boxes, before, output);
+    rest = rest.subspan(1);
+  }
   const bool is_last = share.last == test.candidates.size();
   before.take_ended(is_last ? kNoKey : pair_key(test.candidates[share.last]), output.ended);
 }

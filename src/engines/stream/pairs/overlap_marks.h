@@ -45,7 +45,7 @@ class OverlapMarks {
   SlotPairChanges compare_pairs(std::span<const SlotPair> before, std::span<const SlotPair> now);
 
   /// Writes the marked ones of the candidates to a list.
-  void list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const;
+  [[gnu::cold]] void list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const;
 
   /// Gives memory back that the next call may ask for again.
   [[gnu::cold]] void give_back();

@@ -64,7 +64,7 @@ class Overlaps {
   [[gnu::cold]] void forget_few(const BodyChanges& changes);
 
   /// Nobody is left: all pairs end, and the memory goes back.
-  FoundPairs end_all(const BodyChanges& changes);
+  [[gnu::cold]] FoundPairs end_all(const BodyChanges& changes);
 
   /// No pairs, and no memory but what little is always kept.
   [[gnu::cold]] void clear();

@@ -56,11 +56,11 @@ bool Sweep::find(const Kernels& kernels, std::span<const Aabb> boxes, Keys& foun
   std::uint32_t count = 0;
   if (knows) {
     ++sweeps_;
-    count = sort(boxes);
+    count = sort(kernels, boxes);
   }
   if (!knows || !pays(kernels, count)) {
     learn(boxes);
-    count = sort(boxes);
+    count = sort(kernels, boxes);
     if (!pays(kernels, count)) return false;
   }
   const std::size_t before = found.view().size();
@@ -85,8 +85,8 @@ bool Sweep::knows_where(std::span<const Aabb> boxes) const {
 }
 
 // How many there are.
-std::uint32_t Sweep::sort(std::span<const Aabb> boxes) {
-  const std::uint32_t count = make_rows(boxes);
+std::uint32_t Sweep::sort(const Kernels& kernels, std::span<const Aabb> boxes) {
+  const std::uint32_t count = make_rows(kernels, boxes);
   sort_rows(count);
   compared_ = 0;
   for (std::uint32_t place = 0; place < count; ++place) compared_ += ends_.view()[place] - place;
@@ -111,22 +111,42 @@ void Sweep::learn(std::span<const Aabb> boxes) {
   slots_known_ = boxes.size();
 }
 
+GridNumbers Sweep::numbers() const {
+  GridNumbers numbers{};
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    numbers.origin[axis] = map_.origin[axis];
+    numbers.scale[axis] = map_.scale[axis];
+    numbers.top[axis] = map_.top[axis];
+  }
+  return numbers;
+}
+
 // How many there are.
-std::uint32_t Sweep::make_rows(std::span<const Aabb> boxes) {
-  const unsigned x = axis_, y = (x + 1) % 3, z = (x + 2) % 3;
-  const NumberMap map = map_;
-  rows_.renew(boxes.size());
-  slots_.renew(boxes.size());
+std::uint32_t Sweep::make_rows(const Kernels& kernels, std::span<const Aabb> boxes) {
+  constexpr std::size_t kEight = 8;
+  const GridNumbers map = numbers();
+  rows_room_ = boxes.size() + kEight;
+  rows_.renew(3 * rows_room_);
+  std::uint32_t* const on_axis = rows_.data();
+  std::uint32_t* const on_others = on_axis + rows_room_;
+  Slot* const slots = on_others + rows_room_;
+  std::array<Aabb, kEight> last;
+  EightRows rows;
   std::uint32_t count = 0;
-  for (std::uint32_t slot = 0; slot < boxes.size(); ++slot) {
-    const BoxLanes box(boxes[slot]);
-    const Int4 low = map(box.min);
-    const Int4 high = map(box.max);
-    rows_.data()[count] = {static_cast<std::uint16_t>(low[x]), static_cast<std::uint16_t>(high[x]),
-                           static_cast<std::uint8_t>(low[y]),  static_cast<std::uint8_t>(high[y]),
-                           static_cast<std::uint8_t>(low[z]),  static_cast<std::uint8_t>(high[z])};
-    slots_.data()[count] = slot;
-    count += boxes[slot].min[0] <= boxes[slot].max[0] ? 1 : 0;  // NaN: nobody
+  for (std::uint32_t first = 0; first < boxes.size(); first += kEight) {
+    const Aabb* eight = &boxes[first];
+    if (const auto rest = boxes.subspan(first); rest.size() < kEight) {
+      last.fill(kNobody);
+      std::ranges::copy(rest, last.begin());
+      eight = last.data();
+    }
+    kernels.eight_rows(eight, map, axis_, rows);
+    for (std::uint32_t i = 0; i < kEight; ++i) {
+      on_axis[count] = rows.on_axis[i];
+      on_others[count] = rows.on_others[i];
+      slots[count] = first + i;
+      count += rows.there >> i & 1;
+    }
   }
   return count;
 }
@@ -140,21 +160,25 @@ void Sweep::sort_rows(std::uint32_t count) {
   std::array<std::uint32_t, kMostPlaces + 1> first;  // NOLINT(*-member-init): as far as it is read
   std::array<std::uint32_t, kMostPlaces> next;       // NOLINT(*-member-init)
   std::fill_n(first.begin(), places_ + 1, 0U);
-  for (const Row& row : rows_.view().first(count)) ++first[row.low_x + 1];
+  const std::uint32_t* const on_axis = rows_.data();
+  const std::uint32_t* const on_others = on_axis + rows_room_;
+  const Slot* const slots = on_others + rows_room_;
+  const auto low = [=](std::uint32_t row) { return on_axis[row] & 0xffffU; };
+  for (std::uint32_t i = 0; i < count; ++i) ++first[low(i) + 1];
   for (std::uint32_t place = 0; place < places_; ++place) {
     next[place] = first[place];
     first[place + 1] += first[place];
   }
   std::uint8_t* const bytes = bytes_.data();
   for (std::uint32_t i = 0; i < count; ++i) {
-    const Row row = rows_.data()[i];
-    const std::uint32_t place = next[row.low_x]++;
-    sorted_.data()[place] = slots_.data()[i];
-    ends_.data()[place] = first[row.high_x + 1];
-    bytes[place] = row.low_y;
-    bytes[room + place] = row.high_y;
-    bytes[2 * room + place] = row.low_z;
-    bytes[3 * room + place] = row.high_z;
+    const std::uint32_t others = on_others[i];
+    const std::uint32_t place = next[low(i)]++;
+    sorted_.data()[place] = slots[i];
+    ends_.data()[place] = first[(on_axis[i] >> 16) + 1];
+    bytes[place] = static_cast<std::uint8_t>(others);
+    bytes[room + place] = static_cast<std::uint8_t>(others >> 8);
+    bytes[2 * room + place] = static_cast<std::uint8_t>(others >> 16);
+    bytes[3 * room + place] = static_cast<std::uint8_t>(others >> 24);
   }
 }
 
@@ -167,42 +191,16 @@ bool Sweep::find_pairs(const Kernels& kernels, std::span<const Aabb> boxes, std:
                        KeyBuffer& found) {
   const std::size_t room = count + kPadding;
   const std::uint8_t* const bytes = bytes_.data();
-  const SweptBoxes swept{bytes, bytes + room, bytes + 2 * room, bytes + 3 * room, ends_.data(), count};
-  hits_.renew(kHits);
+  const SweptBoxes swept{bytes,        bytes + room,   bytes + 2 * room, bytes + 3 * room,
+                         ends_.data(), sorted_.data(), boxes.data(),     count};
   tests_ += compared_;
-  const std::size_t before = found.size;
-  std::uint64_t tests = 0;
-  for (std::uint32_t place = 0; place < count;) {
-    const std::uint32_t hits = kernels.sweep(swept, place, hits_.data(), kHits);
-    const std::uint64_t more = test(boxes, hits_.view().first(hits), found);
-    tests += more;
-    tests_ += more;
-    if (tests > 4 * (found.size - before) + std::uint64_t{tuning::kTestsOfSwept} * count) return false;
-  }
-  return true;
-}
-
-// The pairs of these hits that are some. How many hits there were.
-std::uint64_t Sweep::test(std::span<const Aabb> boxes, std::span<const SweptHits> hits,
-                          KeyBuffer& found) const {
-  std::uint64_t tests = 0;
-  const std::uint32_t* const slots = sorted_.data();
-  for (const SweptHits& hit : hits) {
-    const Slot slot = slots[hit.place];
-    const BoxLanes box(boxes[slot]);
-    make_room(found, 64);
-    for (std::uint64_t lanes = hit.lanes; lanes != 0; lanes &= lanes - 1) {
-      const Slot other = slots[hit.first + static_cast<unsigned>(std::countr_zero(lanes))];
-      found.keys[found.size] = pair_key(make_slot_pair(slot, other));
-      found.size += overlap(box, BoxLanes(boxes[other])) ? 1 : 0;
-      ++tests;
-    }
-  }
-  return tests;
+  const SweepResult result = kernels.sweep(swept, std::uint64_t{tuning::kTestsOfSwept} * count, found);
+  tests_ += result.tests;
+  return result.found_all;
 }
 
 std::size_t Sweep::bytes() const {
-  return rows_.bytes() + slots_.bytes() + sorted_.bytes() + ends_.bytes() + bytes_.bytes() + hits_.bytes();
+  return rows_.bytes() + sorted_.bytes() + ends_.bytes() + bytes_.bytes();
 }
 
 }  // namespace cellsweep::stream

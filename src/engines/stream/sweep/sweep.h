@@ -7,7 +7,6 @@
 #include <span>
 
 #include "base/memory/array.h"
-#include "base/tuning.h"
 #include "engines/stream/cells/grid.h"
 #include "engines/stream/cells/keys.h"
 #include "engines/stream/kernels/kernel.h"
@@ -19,14 +18,9 @@ namespace cellsweep::stream {
 /// small numbers is tested by its boxes.
 class Sweep {
  public:
-  /// Hits that are looked at at a time; of a box there may be one for each of the shortest vectors.
-  static constexpr std::uint32_t kHits = 1024;
-  static constexpr std::size_t kMostBoxes = std::size_t{16} * (kHits - 1);
-  static_assert(kMostBoxes >= tuning::kMostSweptInMotion);
-
   /// Appends the keys of all pairs, in no order. False, and nothing is appended, when cells would take less:
-  /// where small numbers tell too little. `boxes` are by slot, kNobody where there is no body; at most
-  /// kMostBoxes. Throws TooManyPairs where `found` is limited.
+  /// where small numbers tell too little. `boxes` are by slot, kNobody where there is no body. Throws
+  /// TooManyPairs where `found` is limited.
   bool find(const Kernels& kernels, std::span<const Aabb> boxes, Keys& found);
 
   /// Comparisons of two boxes, in bytes or as they are, since it was made.
@@ -43,36 +37,26 @@ class Sweep {
     Int4 operator()(Float4 coordinates) const;
   };
 
-  /// A box in small numbers.
-  struct Row {
-    std::uint16_t low_x;
-    std::uint16_t high_x;
-    std::uint8_t low_y;
-    std::uint8_t high_y;
-    std::uint8_t low_z;
-    std::uint8_t high_z;
-  };
-
   bool knows_where(std::span<const Aabb> boxes) const;
   [[gnu::cold]] void learn(std::span<const Aabb> boxes);
-  std::uint32_t sort(std::span<const Aabb> boxes);
-  std::uint32_t make_rows(std::span<const Aabb> boxes);
+  std::uint32_t sort(const Kernels& kernels, std::span<const Aabb> boxes);
+  GridNumbers numbers() const;
+  std::uint32_t make_rows(const Kernels& kernels, std::span<const Aabb> boxes);
   void sort_rows(std::uint32_t count);
   bool pays(const Kernels& kernels, std::uint32_t count) const;
   bool find_pairs(const Kernels& kernels, std::span<const Aabb> boxes, std::uint32_t count, KeyBuffer& found);
-  std::uint64_t test(std::span<const Aabb> boxes, std::span<const SweptHits> hits, KeyBuffer& found) const;
 
   NumberMap map_;
   unsigned axis_ = 0;            // of the order
   std::uint32_t places_ = 0;     // numbers on it
   std::uint32_t sweeps_ = 0;     // that the map was made or used for,
   std::size_t slots_known_ = 0;  // with so many slots
-  Array<Row> rows_;
-  Array<std::uint32_t> slots_;   // of the rows
+  // Of each box a row: its numbers, as EightRows says, and its slot. One list behind the other.
+  Array<std::uint32_t> rows_;
+  std::size_t rows_room_ = 0;    // for each list
   Array<std::uint32_t> sorted_;  // slots in the order of the axis
   Array<std::uint32_t> ends_;
-  Array<std::uint8_t> bytes_;  // low y, high y, low z, high z
-  Array<SweptHits> hits_;
+  Array<std::uint8_t> bytes_;   // low y, high y, low z, high z
   std::uint64_t compared_ = 0;  // comparisons in bytes that a sweep of the sorted rows makes
   std::uint64_t tests_ = 0;
 };

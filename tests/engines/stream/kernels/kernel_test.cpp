@@ -172,6 +172,27 @@ TEST_P(KernelOf, FindsTheCellsOfEightBoxesThatTheGridFinds) {
   }
 }
 
+TEST_P(KernelOf, FindsTheNumbersOfEightBoxesThatTheGridFinds) {
+  if (kernels_->eight_rows == nullptr) GTEST_SKIP() << "nothing is swept with these";
+  Random random(4);
+  const Grid grid({1, -2, 0.5}, {0.9, 1.7, 0.25}, {7, 256, 9});
+  for (unsigned round = 0; round < 600; ++round) {
+    Aabb boxes[8];
+    for (Aabb& box : boxes) box = random.one_in(9) ? kNobody : random_box(random);
+    const unsigned axis = round % 3, y = (axis + 1) % 3, z = (axis + 2) % 3;
+    EightRows rows;
+    kernels_->eight_rows(boxes, grid.numbers(), axis, rows);
+    for (unsigned i = 0; i < 8; ++i) {
+      const bool is_somebody = !std::isnan(boxes[i].min[0]);
+      ASSERT_EQ(rows.there >> i & 1, is_somebody ? 1U : 0U);
+      if (!is_somebody) continue;
+      const auto [low, high] = grid.range_of(boxes[i]);
+      ASSERT_EQ(rows.on_axis[i], low[axis] | high[axis] << 16);
+      ASSERT_EQ(rows.on_others[i], low[y] | high[y] << 8 | low[z] << 16 | high[z] << 24);
+    }
+  }
+}
+
 TEST_P(KernelOf, AnswersToItsName) {
   EXPECT_EQ(kernels_->isa, GetParam());
 }

@@ -61,9 +61,9 @@ TEST_P(SweepTest, FindsThePairsOfBruteForceInWorldsOfAnySize) {
   }
 }
 
-TEST_P(SweepTest, FindsThePairsOfAsManyBoxesAsItTakes) {
+TEST_P(SweepTest, FindsThePairsOfManyBoxes) {
   Random random(5);
-  std::vector<Aabb> boxes(Sweep::kMostBoxes / kScale);
+  std::vector<Aabb> boxes(16'000 / kScale);
   for (Aabb& box : boxes) {
     const float x = random.between(0, 512), y = random.between(0, 32);
     box = {{x, y, 0}, {x + 0.9F, y + 0.9F, 1}};
