@@ -18,8 +18,8 @@ struct Outlook {
 /// further than its own length at a time does not grow but for the margin.
 Aabb fat_box_of(const Aabb& old, const Aabb& now, const Outlook& outlook);
 
-/// A box that encloses `now` and where the way that led from `old` to it leads to in so many updates, as far as
-/// fat boxes follow it.
+/// A box that encloses `now` and where the way that led from `old` to it leads to in so many updates, as far
+/// as fat boxes follow it.
 [[gnu::cold]] Aabb course_of(const Aabb& old, const Aabb& now, float updates);
 
 /// What a fat box is made for that will be used later.

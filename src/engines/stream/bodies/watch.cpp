@@ -42,8 +42,8 @@ void Watch::follow(Body& body, const Aabb& now) {
   body.box = now;
 }
 
-// A body that keeps its course gets as far as its way is long. One that has hardly moved at all does not leave
-// its fat box soon.
+// A body that keeps its course gets as far as its way is long. One that has hardly moved at all does not
+// leave its fat box soon.
 bool Watch::stays(const Body& body) {
   float far = 0;
   bool has_moved = false;
