@@ -69,12 +69,12 @@ inline constexpr float kMostTremble = 0.125F;
 inline constexpr unsigned kEarly = 3;
 /// Of one that is known to tremble, whose fat boxes are made for the most updates. EPYC, stacks in Bullet.
 inline constexpr unsigned kEarlyOfTrembling = 8;
-/// The least that a fat box reaches to either side, then, is kMostTremble halved so often: kLeastGrowth. EPYC,
-/// stacks in Bullet: half as many leave theirs as with 15.
+/// The least that a fat box reaches to either side, then, is kMostTremble halved so often: kLeastGrowth.
+/// EPYC, stacks in Bullet: half as many leave theirs as with 15.
 inline constexpr unsigned kMostHalvings = 3;
 
-/// To make all fat boxes anew takes as long as so many looks at a candidate for each body, and so many for each
-/// candidate. EPYC, piles in Bullet, 5,000 and 20,000.
+/// To make all fat boxes anew takes as long as so many looks at a candidate for each body, and so many for
+/// each candidate. EPYC, piles in Bullet, 5,000 and 20,000.
 inline constexpr std::uint64_t kLooksOfFull = 25;
 inline constexpr std::uint64_t kLooksOfCandidate = 5;
 /// They are once candidates that are no pairs have cost so many times that, up to so many times more where it
@@ -176,8 +176,8 @@ inline constexpr std::size_t kWatched = 32;
 inline constexpr std::uint32_t kUpdatesWatched = 8;
 /// One that did not stray further in that time, in its own lengths, is as good as at rest.
 inline constexpr float kHardlyMoved = 1.0F / 256;
-/// Fat boxes have so many updates at most to settle, then are judged by so many at a time; by fewer where they
-/// take so many sweeps more.
+/// Fat boxes have so many updates at most to settle, then are judged by so many at a time; by fewer where
+/// they take so many sweeps more.
 inline constexpr std::uint32_t kUpdatesOfSettling = 8;
 inline constexpr std::uint32_t kUpdatesJudged = 8;
 inline constexpr double kMostExcess = 4;
@@ -185,8 +185,8 @@ inline constexpr double kMostExcess = 4;
 inline constexpr std::uint32_t kMostPatienceOfSweeps = 8;
 /// Where a sweep would have taken more than cells, there is none for so many updates.
 inline constexpr std::uint32_t kPauseOfSweeps = 64;
-/// Nanoseconds, roughly, of an update with fat boxes: of each body, of one whose fat box is put into cells, of
-/// one when all are, and of a candidate. EPYC, AVX-512, 1,000 bodies, all moving, and piles in Bullet.
+/// Nanoseconds, roughly, of an update with fat boxes: of each body, of one whose fat box is put into cells,
+/// of one when all are, and of a candidate. EPYC, AVX-512, 1,000 bodies, all moving, and piles in Bullet.
 inline constexpr double kFatBoxCost = 6;
 inline constexpr double kPlacedCost = 220;
 inline constexpr double kAllPlacedCost = 60;

@@ -37,9 +37,9 @@ void draw(const Boxes& boxes, Drawn& drawn) {
 /// the border, which are cut again when they are crowded.
 AxisRange range_of(double low, double quarter, double last_quarter, double high) {
   const double middle_half = last_quarter - quarter;
-  if (!(middle_half > 0)) return {low, high - low};
+  if (!(middle_half > 0)) return {low, high - low, low, high};
   const double origin = std::max(low, quarter - middle_half / 2);
-  return {origin, std::min(high, quarter + 1.5 * middle_half) - origin};
+  return {origin, std::min(high, quarter + 1.5 * middle_half) - origin, low, high};
 }
 
 std::array<AxisRange, 3> measure_axes(std::span<const Aabb> boxes) {

@@ -12,6 +12,8 @@ namespace cellsweep::stream {
 struct AxisRange {
   double origin = 0;
   double length = 0;
+  double low = 0;  ///< the ends of all that were looked at
+  double high = 0;
 };
 
 /// Means over boxes, of their edges and of the edges' products, which say how many cells a box reaches into.

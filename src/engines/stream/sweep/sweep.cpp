@@ -18,10 +18,33 @@ constexpr std::uint32_t kMostPlaces = 4096;
 /// Room behind the last byte for a vector.
 constexpr std::size_t kPadding = 64;
 
+/// Where numbers begin on an axis, and the length over which they are spread.
+struct Spread {
+  double origin;
+  double length;
+};
+
+Spread ends_of(const AxisRange& range) {
+  return {range.origin, range.length};
+}
+
+/// A few boxes lie beyond what the sample knows of; on the axis of the order they would share two places.
+/// Where none of the sample lies far out, it has room for them; else they are few, or the sample would have
+/// more.
+Spread with_those_beyond(const AxisRange& range) {
+  constexpr double kFarOut = 3;
+  const double beyond = range.length / 8;
+  const bool far_out = range.high - range.low > kFarOut * range.length;
+  const double low = far_out ? range.origin : range.low;
+  const double high = far_out ? range.origin + range.length : range.high;
+  return {low - beyond, high - low + 2 * beyond};
+}
+
 /// The axis by which boxes are put in order: the one on which they are shortest by its length.
 struct Order {
   unsigned axis = 0;
-  std::uint32_t places = kFewestPlaces;
+  Spread spread{};
+  double edge = 1;  // of a box
 };
 
 /// A box is to reach over some places, or most of those who share one with it would not meet it.
@@ -31,12 +54,18 @@ Order choose_order(const BoxSample& sample) {
   double longest = -1;
   for (unsigned axis = 0; axis < 3; ++axis) {
     const double length = sample.axes[axis].length;
-    const double edges_long = length / (edges[axis] + 1e-4 * length + DBL_MIN);
-    if (edges_long > longest) longest = edges_long, order.axis = axis;
+    const double edge = edges[axis] + 1e-4 * length + DBL_MIN;
+    if (length <= longest * edge) continue;
+    longest = length / edge;
+    order = {axis, with_those_beyond(sample.axes[axis]), edge};
   }
-  const double wanted = std::clamp<double>(tuning::kPlacesOfEdge * longest, kFewestPlaces, kMostPlaces);
-  order.places = std::bit_ceil(static_cast<std::uint32_t>(wanted));
   return order;
+}
+
+std::uint32_t places_for(const Order& order) {
+  const double edges = order.spread.length / order.edge;
+  const double wanted = std::clamp<double>(tuning::kPlacesOfEdge * edges, kFewestPlaces, kMostPlaces);
+  return std::bit_ceil(static_cast<std::uint32_t>(wanted));
 }
 
 }  // namespace
@@ -97,13 +126,11 @@ void Sweep::learn(std::span<const Aabb> boxes) {
   const BoxSample sample = take_sample({boxes.data(), boxes.size()}, Look::at_few);
   const Order order = choose_order(sample);
   axis_ = order.axis;
-  places_ = order.places;
+  places_ = places_for(order);
   for (unsigned axis = 0; axis < 3; ++axis) {
     const double numbers = axis == axis_ ? places_ : 256;
-    // A few boxes lie beyond what the sample knows of; on the axis of the order they would share two places.
-    const double beyond = axis == axis_ ? sample.axes[axis].length / 8 : 0;
-    const double length = sample.axes[axis].length + 2 * beyond;
-    map_.origin[axis] = static_cast<float>(std::max(sample.axes[axis].origin - beyond, double{-FLT_MAX}));
+    const auto [origin, length] = axis == axis_ ? order.spread : ends_of(sample.axes[axis]);
+    map_.origin[axis] = static_cast<float>(std::max(origin, double{-FLT_MAX}));
     map_.scale[axis] = length > 0 ? static_cast<float>(std::min(numbers / length, double{FLT_MAX})) : 0;
     map_.top[axis] = static_cast<float>(numbers - 1);
   }
