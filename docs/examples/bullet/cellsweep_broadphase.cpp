@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "prefetch.h"
 #include "proxy_box.h"
 #include "ray_path.h"
 
@@ -49,10 +50,12 @@ void CellsweepBroadphase::destroyProxy(btBroadphaseProxy* base, btDispatcher* di
   proxy.is_there = proxy.is_told = false;
 }
 
-// Bullet says where everything is in each step, whether it moved or not.
+// Bullet says where everything is in each step, whether it moved or not, mostly in the order in which it came.
 void CellsweepBroadphase::setAabb(btBroadphaseProxy* base, const btVector3& aabb_min,
                                   const btVector3& aabb_max, btDispatcher*) {
+  constexpr std::size_t kAhead = 16;
   auto& proxy = static_cast<Proxy&>(*base);
+  if (proxy.id + kAhead < proxies_.size()) prefetch(proxies_[proxy.id + kAhead]);
   if (proxy.m_aabbMin == aabb_min && proxy.m_aabbMax == aabb_max) return;
   proxy.m_aabbMin = aabb_min;
   proxy.m_aabbMax = aabb_max;
