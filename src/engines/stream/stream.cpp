@@ -16,6 +16,10 @@ StreamParts with_a_limit(StreamParts parts) {
   return parts;
 }
 
+bool do_most_move(const BodyChanges& changes) {
+  return 2 * changes.moved.size() >= changes.bodies;
+}
+
 }  // namespace
 
 Stream::Stream(StreamParts parts)
@@ -44,19 +48,25 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
   }
   uses_prepared_ = rebuild_.begin_update(changes);
   crew_.plan(changes.moved.size(), tuning::kMoveGuess);
-  if (!uses_prepared_ && slack_cost_.is_high(bodies_, overlaps_.candidates())) {
-    slack_cost_.note_refit(overlaps_.candidates());
-    fat_boxes_.refit(crew_, changes);
-    return kFull;
-  }
+  if (!uses_prepared_ && refit(changes)) return kFull;
   switch (fat_boxes_.take(crew_, changes, most_listed_)) {
     case FatBoxes::Extent::inside:
       return kInPlace;
     case FatBoxes::Extent::listed:
       return kPartial;
     default:
+      slack_cost_.note_made();
       return kFull;
   }
+}
+
+// Of bodies that do not move they stay what they are.
+bool Stream::refit(const BodyChanges& changes) {
+  const std::size_t candidates = overlaps_.candidates();
+  if (!do_most_move(changes) || !slack_cost_.is_high(bodies_, candidates)) return false;
+  slack_cost_.note_refit(candidates);
+  fat_boxes_.refit(crew_, changes);
+  return true;
 }
 
 void Stream::note_full() {
@@ -137,6 +147,7 @@ FoundPairs Stream::find_none(const BodyChanges& changes) {
 void Stream::forget_all() {
   rebuild_.drop();
   fat_boxes_ = FatBoxes(parts_.margin);
+  slack_cost_ = {};
   search_.clear();
   search_.give_back();
   overlaps_.clear();
@@ -173,9 +184,13 @@ bool Stream::find_of_few(const BodyChanges& changes, PhaseTimer& timer, FoundPai
 
 FoundPairs Stream::find_in_place(const BodyChanges& changes, PhaseTimer& timer) {
   const FoundPairs found = overlaps_.test(changes, {});
-  slack_cost_.note(overlaps_.candidates(), pairs_);
+  note_slack(changes);
   timer.lap("tests");
   return found;
+}
+
+void Stream::note_slack(const BodyChanges& changes) {
+  if (do_most_move(changes)) slack_cost_.note(overlaps_.candidates(), pairs_);
 }
 
 // False when everything is to be found anew instead.
@@ -191,7 +206,7 @@ bool Stream::find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPa
   timer.lap("sort");
   costs_.partial.learn(start, crew_.active(), count);
   found = overlaps_.test(changes, of_candidates);
-  slack_cost_.note(overlaps_.candidates(), pairs_);
+  note_slack(changes);
   timer.lap("tests");
   return true;
 }
