@@ -50,7 +50,8 @@ void CellsweepBroadphase::destroyProxy(btBroadphaseProxy* base, btDispatcher* di
   proxy.is_there = proxy.is_told = false;
 }
 
-// Bullet says where everything is in each step, whether it moved or not, mostly in the order in which it came.
+// Bullet says where everything is in each step, whether it moved or not, mostly in the order in which it
+// came.
 void CellsweepBroadphase::setAabb(btBroadphaseProxy* base, const btVector3& aabb_min,
                                   const btVector3& aabb_max, btDispatcher*) {
   constexpr std::size_t kAhead = 16;
