@@ -180,20 +180,20 @@ inline constexpr float kHardlyMoved = 1.0F / 256;
 /// they take so many sweeps more.
 inline constexpr std::uint32_t kUpdatesOfSettling = 8;
 inline constexpr std::uint32_t kUpdatesJudged = 8;
-inline constexpr double kMostExcess = 4;
+inline constexpr std::int64_t kMostExcess = 4;
 /// The most verdicts in a row that it takes to try them again, or to forget that they once did not last.
 inline constexpr std::uint32_t kMostPatienceOfSweeps = 8;
 /// Where a sweep would have taken more than cells, there is none for so many updates.
 inline constexpr std::uint32_t kPauseOfSweeps = 64;
 /// Nanoseconds, roughly, of an update with fat boxes: of each body, of one whose fat box is put into cells,
 /// of one when all are, and of a candidate. EPYC, AVX-512, 1,000 bodies, all moving, and piles in Bullet.
-inline constexpr double kFatBoxCost = 6;
-inline constexpr double kPlacedCost = 220;
-inline constexpr double kAllPlacedCost = 60;
-inline constexpr double kCandidateCost = 4;
+inline constexpr std::uint64_t kFatBoxCost = 6;
+inline constexpr std::uint64_t kPlacedCost = 220;
+inline constexpr std::uint64_t kAllPlacedCost = 60;
+inline constexpr std::uint64_t kCandidateCost = 4;
 /// And of an update by a sweep: of each body and of each pair.
-inline constexpr double kSweptCost = 20;
-inline constexpr double kSweptPairCost = 9;
+inline constexpr std::uint64_t kSweptCost = 20;
+inline constexpr std::uint64_t kSweptPairCost = 9;
 
 // --- one-shot searches
 // ------------------------------------------------------------------------------------------------------------

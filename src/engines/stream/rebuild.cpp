@@ -11,7 +11,7 @@ namespace {
 constexpr double kDone[] = {0, 0, 0.17, 0.28, 0.4, 0.8, 1};
 
 bool may_prepare(const BodyChanges& changes) {
-  return changes.inserted.empty() && changes.removed.empty() && 2 * changes.moved.size() >= changes.bodies;
+  return changes.inserted.empty() && changes.removed.empty() && do_most_move(changes);
 }
 
 }  // namespace

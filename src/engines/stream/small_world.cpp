@@ -7,17 +7,14 @@
 namespace cellsweep::stream {
 namespace {
 
-double cost_of_fat_boxes(const FatBoxWork& work) {
-  const auto bodies = static_cast<double>(work.bodies);
-  const double placed =
-      work.is_full ? tuning::kAllPlacedCost * bodies : tuning::kPlacedCost * static_cast<double>(work.placed);
-  return tuning::kFatBoxCost * bodies + placed +
-         tuning::kCandidateCost * static_cast<double>(work.candidates);
+std::uint64_t cost_of_fat_boxes(const FatBoxWork& work) {
+  const std::uint64_t placed =
+      work.is_full ? tuning::kAllPlacedCost * work.bodies : tuning::kPlacedCost * work.placed;
+  return tuning::kFatBoxCost * work.bodies + placed + tuning::kCandidateCost * work.candidates;
 }
 
-double cost_of_sweep(const FatBoxWork& work) {
-  return tuning::kSweptCost * static_cast<double>(work.bodies) +
-         tuning::kSweptPairCost * static_cast<double>(work.pairs);
+std::uint64_t cost_of_sweep(const FatBoxWork& work) {
+  return tuning::kSweptCost * work.bodies + tuning::kSweptPairCost * work.pairs;
 }
 
 }  // namespace
@@ -35,7 +32,7 @@ bool SmallWorld::begin_update(const BodyChanges& changes) {
 }
 
 bool SmallWorld::has_much_motion(const BodyChanges& changes) const {
-  return changes.boxes.size() <= tuning::kMostSweptInMotion && 2 * changes.moved.size() >= changes.bodies &&
+  return changes.boxes.size() <= tuning::kMostSweptInMotion && do_most_move(changes) &&
          !changes.moved.empty();
 }
 
@@ -80,8 +77,8 @@ void SmallWorld::note(const FatBoxWork& work) {
     return;
   }
   settling_ = 0;
-  const double swept = cost_of_sweep(work);
-  excess_ += cost_of_fat_boxes(work) - swept;
+  const auto swept = static_cast<std::int64_t>(cost_of_sweep(work));
+  excess_ += static_cast<std::int64_t>(cost_of_fat_boxes(work)) - swept;
   if (++judged_ == tuning::kUpdatesJudged || excess_ > tuning::kMostExcess * swept) judge();
 }
 

@@ -33,7 +33,7 @@ class SmallWorld {
   bool begin_update(const BodyChanges& changes);
 
   /// An update with fat boxes has ended.
-  [[gnu::cold]] void note(const FatBoxWork& work);
+  void note(const FatBoxWork& work);
   /// A sweep would have taken more than cells: there are fat boxes for some time.
   void give_up();
 
@@ -50,7 +50,7 @@ class SmallWorld {
   std::uint32_t pause_ = 0;     // updates that are not swept, whatever they take
   std::uint32_t settling_ = 0;  // updates at most before what fat boxes have to do counts
   std::uint32_t judged_ = 0;    // updates that count so far,
-  double excess_ = 0;           // and what they took more than sweeps would have
+  std::int64_t excess_ = 0;     // and what they took more than sweeps would have
   std::uint32_t lasted_ = 0;    // so many times in a row that was less than nothing
   std::uint32_t stays_ = 0;     // so many times in a row most of those watched stayed,
   std::uint32_t patience_ = 1;  // of so many, after which fat boxes are tried

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "base/tuning.h"
+#include "engines/stream/bodies/watch.h"
 #include "engines/stream/cells/cell_bounds.h"
 #include "engines/stream/common_options.h"
 #include "geometry/bounds.h"
@@ -14,10 +15,6 @@ namespace {
 StreamParts with_a_limit(StreamParts parts) {
   if (parts.max_pairs == 0) parts.max_pairs = Search::kAnyNumber;
   return parts;
-}
-
-bool do_most_move(const BodyChanges& changes) {
-  return 2 * changes.moved.size() >= changes.bodies;
 }
 
 }  // namespace

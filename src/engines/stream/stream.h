@@ -68,8 +68,8 @@ class Stream final : public Engine, public HasFinder {
   std::size_t most_bytes() const;
   void note_full();
   FatBoxWork work_of(Kind kind) const;
-  [[gnu::cold]] bool refit(const BodyChanges& changes);
-  [[gnu::cold]] void note_slack(const BodyChanges& changes);
+  [[gnu::noinline]] bool refit(const BodyChanges& changes);
+  [[gnu::noinline]] void note_slack(const BodyChanges& changes);
   void note_idle(Statistics& statistics);
   [[gnu::cold]] void refresh_counters(Statistics& statistics);
 

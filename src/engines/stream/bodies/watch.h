@@ -10,6 +10,11 @@
 
 namespace cellsweep::stream {
 
+/// Whether at least half of the bodies move in this update.
+inline bool do_most_move(const BodyChanges& changes) {
+  return 2 * changes.moved.size() >= changes.bodies;
+}
+
 class Watch {
  public:
   /// Chooses bodies among those that move in this update, and sees them for the first time.

@@ -3,7 +3,7 @@
 #include "engines/stream/kernels/body.h"
 #include "engines/stream/kernels/lanes_avx512.h"
 #include "engines/stream/kernels/sets.h"
-#include "engines/stream/kernels/swept.h"
+#include "engines/stream/kernels/sweep.h"
 
 namespace cellsweep::stream {
 namespace {

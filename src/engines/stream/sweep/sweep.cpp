@@ -152,11 +152,10 @@ GridNumbers Sweep::numbers() const {
 std::uint32_t Sweep::make_rows(const Kernels& kernels, std::span<const Aabb> boxes) {
   constexpr std::size_t kEight = 8;
   const GridNumbers map = numbers();
-  rows_room_ = boxes.size() + kEight;
-  rows_.renew(3 * rows_room_);
+  rows_.renew(3 * (boxes.size() + kEight));
   std::uint32_t* const on_axis = rows_.data();
-  std::uint32_t* const on_others = on_axis + rows_room_;
-  Slot* const slots = on_others + rows_room_;
+  std::uint32_t* const on_others = on_axis + room_of_rows();
+  Slot* const slots = on_others + room_of_rows();
   std::array<Aabb, kEight> last;
   EightRows rows;
   std::uint32_t count = 0;
@@ -188,8 +187,8 @@ void Sweep::sort_rows(std::uint32_t count) {
   std::array<std::uint32_t, kMostPlaces> next;       // NOLINT(*-member-init)
   std::fill_n(first.begin(), places_ + 1, 0U);
   const std::uint32_t* const on_axis = rows_.data();
-  const std::uint32_t* const on_others = on_axis + rows_room_;
-  const Slot* const slots = on_others + rows_room_;
+  const std::uint32_t* const on_others = on_axis + room_of_rows();
+  const Slot* const slots = on_others + room_of_rows();
   const auto low = [=](std::uint32_t row) { return on_axis[row] & 0xffffU; };
   for (std::uint32_t i = 0; i < count; ++i) ++first[low(i) + 1];
   for (std::uint32_t place = 0; place < places_; ++place) {

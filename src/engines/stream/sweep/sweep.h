@@ -41,6 +41,7 @@ class Sweep {
   [[gnu::cold]] void learn(std::span<const Aabb> boxes);
   std::uint32_t sort(const Kernels& kernels, std::span<const Aabb> boxes);
   GridNumbers numbers() const;
+  std::size_t room_of_rows() const { return rows_.size() / 3; }
   std::uint32_t make_rows(const Kernels& kernels, std::span<const Aabb> boxes);
   void sort_rows(std::uint32_t count);
   bool pays(const Kernels& kernels, std::uint32_t count) const;
@@ -53,7 +54,6 @@ class Sweep {
   std::size_t slots_known_ = 0;  // with so many slots
   // Of each box a row: its numbers, as EightRows says, and its slot. One list behind the other.
   Array<std::uint32_t> rows_;
-  std::size_t rows_room_ = 0;    // for each list
   Array<std::uint32_t> sorted_;  // slots in the order of the axis
   Array<std::uint32_t> ends_;
   Array<std::uint8_t> bytes_;   // low y, high y, low z, high z

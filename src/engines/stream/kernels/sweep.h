@@ -3,8 +3,8 @@
 #pragma once
 
 #include "engines/stream/kernels/faces.h"
+#include "engines/stream/kernels/four_sse41.h"
 #include "engines/stream/kernels/kernel.h"
-#include "engines/stream/kernels/rows_sse41.h"
 
 namespace cellsweep::stream {
 namespace {
