@@ -46,6 +46,21 @@ TEST_P(RebuildTest, IsDoneAPartAtATimeWhileAllKeepTheirCourse) {
   EXPECT_LE(counter(engine, "full updates"), 4U) << "bodies that have just begun to move";
 }
 
+TEST_P(RebuildTest, IsNotBegunWhereBodiesCreepAndFatBoxesLast) {
+  Courses courses(kBodies, 6);
+  Broadphase engine = engine_of(courses);
+  std::vector<Aabb> boxes = courses.boxes();
+  std::uint64_t settled = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    for (Aabb& box : boxes) box.min[0] += 1e-4F, box.max[0] += 1e-4F;
+    move_every(engine, boxes, 1);
+    ASSERT_TRUE(engine.update().ok());
+    if (frame == 4) settled = counter(engine, "fat boxes put into cells");
+  }
+  EXPECT_TRUE(is_exact(engine, boxes));
+  EXPECT_LT(counter(engine, "fat boxes put into cells") - settled, kBodies / 10);
+}
+
 // Of the first updates some find everything anew at once.
 TEST_P(RebuildTest, LeavesNoUpdateWithMuchMoreWorkThanOthers) {
   Courses courses(8000, 2);
