@@ -186,8 +186,9 @@ FoundPairs Stream::find_in_place(const BodyChanges& changes, PhaseTimer& timer) 
   return found;
 }
 
+// What it takes to find everything anew elsewhere, nobody knows here.
 void Stream::note_slack(const BodyChanges& changes) {
-  if (do_most_move(changes)) slack_cost_.note(overlaps_.candidates(), pairs_);
+  if (!parts_.finder && do_most_move(changes)) slack_cost_.note(overlaps_.candidates(), pairs_);
 }
 
 // False when everything is to be found anew instead.
