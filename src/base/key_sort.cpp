@@ -156,4 +156,8 @@ void sort_keys(std::span<Key> keys) {
   if (sorted.data() != keys.data()) std::ranges::copy(sorted, keys.begin());
 }
 
+void sort_numbers(std::span<std::uint32_t> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+}
+
 }  // namespace cellsweep

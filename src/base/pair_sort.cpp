@@ -55,20 +55,28 @@ struct Ranges {
   }
 };
 
+/// Keys in ascending order, narrowed. That is all there is to do for both kinds of pairs.
+struct SortedKeys {
+  std::span<const Key> narrowed;
+  Ranges ranges;
+
+  template <class AnyPair>
+  void write(AnyPair* to) const {
+    std::ranges::transform(narrowed, to, [&](Key key) { return pair_of<AnyPair>(ranges.widened(key)); });
+  }
+};
+
 /// `spare` is as long.
-template <class AnyPair>
-void sort_in_ranges(std::span<Key> keys, std::span<Key> spare, const Ranges& ranges, AnyPair* sorted) {
+SortedKeys sort_in_ranges(std::span<Key> keys, std::span<Key> spare, const Ranges& ranges) {
   for (Key& key : keys) key = ranges.narrowed(key);
-  const std::span<const Key> narrowed = sort_keys(keys, spare, ranges.bits());
-  std::ranges::transform(narrowed, sorted, [&](Key key) { return pair_of<AnyPair>(ranges.widened(key)); });
+  return {sort_keys(keys, spare, ranges.bits()), ranges};
 }
 
-template <class AnyPair>
-void sort_bucket(std::span<Key> keys, Array<Key>& spare, AnyPair* sorted) {
+SortedKeys sort_bucket(std::span<Key> keys, Array<Key>& spare) {
   Ranges ranges;
   for (const Key key : keys) ranges.include(key);
   spare.renew(keys.size());
-  sort_in_ranges(keys, spare.view(), ranges, sorted);
+  return sort_in_ranges(keys, spare.view(), ranges);
 }
 
 /// The keys of several buffers cut into buckets of equally many first ids, by all workers.
@@ -160,19 +168,18 @@ Ranges gather(KeyParts parts, std::span<Key> keys) {
   return ranges;
 }
 
-template <class AnyPair>
-void sort_in_one_step(KeyParts parts, std::size_t total, Array<Key>& scratch, AnyPair* sorted) {
+SortedKeys sort_in_one_step(KeyParts parts, std::size_t total, Array<Key>& scratch) {
   scratch.renew(2 * total);
   const std::span<Key> keys = scratch.view().first(total);
   const Ranges ranges = gather(parts, keys);
-  sort_in_ranges(keys, scratch.view().last(total), ranges, sorted);
+  return sort_in_ranges(keys, scratch.view().last(total), ranges);
 }
 
 template <class AnyPair>
 void sort_buckets(Crew& crew, Distribution& distribution, AnyPair* sorted) {
   std::vector<Array<Key>> spares(crew.active());
   crew.for_each(kBuckets, 8, [&](unsigned worker, std::size_t bucket) {
-    sort_bucket(distribution.bucket(bucket), spares[worker], sorted + distribution.first(bucket));
+    sort_bucket(distribution.bucket(bucket), spares[worker]).write(sorted + distribution.first(bucket));
   });
 }
 
@@ -183,7 +190,7 @@ void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array
   const std::size_t total = count_keys(parts);
   sorted.renew(total);
   if (total == 0) return;
-  if (total <= kOneStep) return sort_in_one_step(parts, total, scratch, sorted.data());
+  if (total <= kOneStep) return sort_in_one_step(parts, total, scratch).write(sorted.data());
   Distribution distribution(crew, parts, scratch);
   distribution.run(total);
   sort_buckets(crew, distribution, sorted.data());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/key_sort.h"
 #include "base/memory/array.h"
 #include "base/text.h"
 #include "broadphase/bodies/box_checks.h"
@@ -162,12 +163,12 @@ std::vector<BodyId> Bodies::removed_ids() const {
   std::vector<BodyId> ids;
   ids.reserve(boxes_.removed().size());
   for (const Slot slot : boxes_.removed()) ids.push_back(table_.id(slot));
-  std::sort(ids.begin(), ids.end());
+  sort_numbers(ids);
   std::vector<BodyId> stayed;
   for (const auto& [from, to] : filters_.moves()) {
     if (table_.find(table_.id(from)) == to) stayed.push_back(table_.id(from));
   }
-  std::sort(stayed.begin(), stayed.end());
+  sort_numbers(stayed);
   std::vector<BodyId> gone;
   std::set_difference(ids.begin(), ids.end(), stayed.begin(), stayed.end(), std::back_inserter(gone));
   return gone;

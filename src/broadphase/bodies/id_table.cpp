@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/key_sort.h"
 #include "base/tuning.h"
 #include "broadphase/bodies/distinct_ids.h"
 
@@ -219,7 +220,7 @@ void IdTable::choose_ids(std::span<BodyId> ids) const {
   Vector<BodyId> waiting;
   waiting.reserve(removed_.size());
   for (const Slot slot : removed_) waiting.push_back(ids_[slot]);
-  std::sort(waiting.begin(), waiting.end());
+  sort_numbers(waiting);
   const auto is_taken = [&](BodyId id) {
     return find(id) != kNoSlot || std::binary_search(waiting.begin(), waiting.end(), id);
   };
@@ -270,8 +271,8 @@ void IdTable::release() {
     return;
   }
   // The lowest slots are given out first: they make ids and slots alike where that is possible.
-  std::sort(removed_.rbegin(), removed_.rend());
-  free_.insert(free_.end(), removed_.begin(), removed_.end());
+  sort_numbers(removed_);
+  free_.insert(free_.end(), removed_.rbegin(), removed_.rend());
   removed_.clear();
   taken_from_ = taken_to_ = 0;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/body_names.h"
+#include "base/key_sort.h"
 #include "base/text.h"
 #include "geometry/box_fault.h"
 #include "geometry/canonical.h"
@@ -68,7 +69,7 @@ Status find_held(const IdTable& table, std::span<const BodyId> ids) {
 // Each once, in the order of the call.
 Status find_listed_twice(std::span<const BodyId> ids) {
   std::vector<BodyId> sorted(ids.begin(), ids.end());
-  std::sort(sorted.begin(), sorted.end());
+  sort_numbers(sorted);
   std::vector<BodyId> twice;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     if (sorted[i] == sorted[i - 1] && (twice.empty() || twice.back() != sorted[i]))
