@@ -160,6 +160,12 @@ Int4 may_be_large(const Aabb& box, Float4 limits) {
   return sums;
 }
 
+Sums sum_all(std::span<const Aabb> boxes, const Ranges& ranges) {
+  Sums sums;
+  for (const Aabb& box : boxes) sums.add(ranges.edges(box));
+  return sums;
+}
+
 /// Sums of large boxes, of so many.
 struct LargeBoxes {
   Sums sums;
@@ -241,6 +247,17 @@ namespace {
 }
 
 }  // namespace
+
+BoxSample take_rough_sample(const Boxes& boxes) {
+  Drawn drawn;
+  draw(boxes, drawn);
+  BoxSample sample;
+  if (drawn.count == 0) return sample;
+  sample.axes = measure_axes(drawn.view());
+  sample.extents.add(sum_all(drawn.view(), Ranges(sample.axes)).extents,
+                     1 / static_cast<double>(drawn.count));
+  return sample;
+}
 
 BoxSample take_sample(const Boxes& boxes, Look look) {
   if (look != Look::at_few) return look_at_all(boxes);

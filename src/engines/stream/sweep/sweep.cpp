@@ -123,7 +123,7 @@ std::uint32_t Sweep::sort(const Kernels& kernels, std::span<const Aabb> boxes) {
 }
 
 void Sweep::learn(std::span<const Aabb> boxes) {
-  const BoxSample sample = take_sample({boxes.data(), boxes.size()}, Look::at_few);
+  const BoxSample sample = take_rough_sample({boxes.data(), boxes.size()});
   const Order order = choose_order(sample);
   axis_ = order.axis;
   places_ = places_for(order);

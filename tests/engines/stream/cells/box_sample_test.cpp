@@ -89,5 +89,26 @@ TEST(BoxSample, OfWhichFewAreLargeIsThatOfAll) {
   expect_alike(boxes, 1.1);
 }
 
+TEST(BoxSample, OfAFewIsThatOfAllWhereBoxesAreAlike) {
+  const std::vector<Aabb> boxes = small_boxes();
+  const BoxSample rough = take_rough_sample(Boxes(boxes.data(), boxes.size()));
+  // Some lie across the end of an axis, and are cut off there.
+  for (const double edge : {rough.extents.x, rough.extents.y, rough.extents.z}) EXPECT_NEAR(edge, 1, 0.1);
+  for (const AxisRange& axis : rough.axes) EXPECT_NEAR(axis.length, 1000, 150);
+}
+
+TEST(BoxSample, OfAFewCountsLargeOnesAmongThemAsOften) {
+  std::vector<Aabb> boxes = small_boxes();
+  for (std::size_t i = 0; i < boxes.size(); i += 2) make_large(boxes[i]);
+  EXPECT_NEAR(take_rough_sample(Boxes(boxes.data(), boxes.size())).extents.y, 25.5, 5);
+}
+
+TEST(BoxSample, OfAFewIsEmptyWhereNobodyIs) {
+  const std::vector<Aabb> boxes(100, kNobody);
+  const BoxSample rough = take_rough_sample(Boxes(boxes.data(), boxes.size()));
+  EXPECT_EQ(rough.extents.x, 0);
+  EXPECT_EQ(rough.axes[2].length, 0);
+}
+
 }  // namespace
 }  // namespace cellsweep::stream
