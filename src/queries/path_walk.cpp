@@ -192,7 +192,7 @@ class PathWalk {
       const std::uint32_t given = std::min(count - first, kGiven);
       for (std::uint32_t i = 0; i < given; ++i) {
         const Slot slot = places_[first + i];
-        candidates_[i] = {slot, world_.box(slot)};
+        candidates_.list[i] = {slot, world_.box(slot)};
       }
       if (!give(given)) return false;
     }
@@ -202,13 +202,13 @@ class PathWalk {
   bool give_bodies_of(const TreeNode& node, std::uint32_t bodies) {
     std::uint32_t count = 0;
     for (; bodies != 0; bodies &= bodies - 1)
-      candidates_[count++] = candidate_of(node, static_cast<std::size_t>(std::countr_zero(bodies)));
+      candidates_.list[count++] = candidate_of(node, static_cast<std::size_t>(std::countr_zero(bodies)));
     return give(count);
   }
 
   bool give(std::uint32_t count) {
     if (count == 0) return true;
-    const double end = take_({candidates_.data(), count});
+    const double end = take_({candidates_.list, count});
     if (end < end_) {
       end_ = end;
       if (end >= 0) numbers_.end(end);
@@ -226,6 +226,12 @@ class PathWalk {
   static constexpr std::uint64_t kLooksOfCell = 4;
   static constexpr std::uint32_t kGiven = TreeNode::kBoxes;
 
+  /// Nobody initialises them before they are written.
+  union Candidates {
+    Candidates() {}  // NOLINT(modernize-use-equals-default): that would be no constructor
+    Candidate list[kGiven];
+  };
+
   const World& world_;
   const QueryKernels& kernels_;
   PathNumbers numbers_;
@@ -235,7 +241,7 @@ class PathWalk {
   WaitingCell waiting_;
   std::uint64_t looks_ = 0;
   Places places_;  // NOLINT(*-member-init): as far as it is read
-  std::array<Candidate, kGiven> candidates_;
+  Candidates candidates_;
 };
 
 }  // namespace

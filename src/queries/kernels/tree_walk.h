@@ -24,13 +24,17 @@ class WaitingNodes {
     if ((bits & (bits - 1)) == 0) return nodes_ + node.content[__builtin_ctz(bits)];
     const unsigned first = count_;
     unsigned nearest = first;
+    std::uint32_t least = ~std::uint32_t{0};
     for (; bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<unsigned>(__builtin_ctz(bits));
       if (kInOrder) {
         insert(keys[lane], node.content[lane], first);
       } else {
+        // Keys are not negative: their bits are in the same order, and compared without a branch.
+        const auto key = __builtin_bit_cast(std::uint32_t, keys[lane]);
         waiting_[count_] = {keys[lane], node.content[lane]};
-        nearest = waiting_[count_].key < waiting_[nearest].key ? count_ : nearest;
+        nearest = key < least ? count_ : nearest;
+        least = key < least ? key : least;
         ++count_;
       }
     }
@@ -73,14 +77,27 @@ class WaitingNodes {
   unsigned count_ = 0;
 };
 
+/// Straight into a register: what is copied into an array of vectors goes through memory, in halves.
+template <class Lanes>
+VectorOf<Lanes> load(const float* from) {
+  VectorOf<Lanes> vector;
+  __builtin_memcpy(&vector, from, sizeof(vector));
+  return vector;
+}
+
+/// The rest of some bits. A difference would go through mask registers where there are any, which takes
+/// longer.
+inline std::uint32_t without(std::uint32_t bits, std::uint32_t some_of_them) {
+  return bits ^ some_of_them;
+}
+
 /// Tests the boxes of a node: a bit for each that passes `test(faces, key)`, and their keys.
 template <class Lanes, class Test>
 std::uint32_t test_node(const TreeNode& node, float (&keys)[TreeNode::kBoxes], const Test& test) {
   std::uint32_t bits = 0;
   for (unsigned first = 0; first < TreeNode::kBoxes; first += Lanes::kCount) {
-    VectorOf<Lanes> faces[6];
-    for (unsigned face = 0; face < 6; ++face)
-      __builtin_memcpy(&faces[face], node.faces[face] + first, sizeof(faces[face]));
+    const auto face = [&](unsigned number) { return load<Lanes>(node.faces[number] + first); };
+    const VectorOf<Lanes> faces[6] = {face(0), face(1), face(2), face(3), face(4), face(5)};
     VectorOf<Lanes> key;
     bits |= test(faces, key) << first;
     __builtin_memcpy(keys + first, &key, sizeof(key));
@@ -100,7 +117,7 @@ void walk_tree_for_overlaps(const TreeNode* nodes, const Aabb& box, const TakeBo
     });
     const std::uint32_t bodies = bits & node->bodies;
     if (bodies != 0 && !take.take(take.self, *node, bodies)) return;
-    node = waiting.next(*node, bits & ~bodies, keys, 0);
+    node = waiting.next(*node, without(bits, bodies), keys, 0);
   }
 }
 
@@ -163,10 +180,8 @@ class CastAtNode {
     return Lanes::bits(meets & Lanes::less_equal(latest, leave));
   }
 
-  static Vector face(const TreeNode& node, unsigned face, unsigned place) {
-    Vector result;
-    __builtin_memcpy(&result, node.faces[face] + place, sizeof(result));
-    return result;
+  static Vector face(const TreeNode& node, unsigned number, unsigned place) {
+    return load<Lanes>(node.faces[number] + place);
   }
 
   unsigned first_[3], last_[3];  // the faces at which the path enters and leaves boxes
@@ -187,7 +202,7 @@ void walk_tree_on_path(const TreeNode* nodes, const CastNumbers& path, const Tak
       if (!take.take(take.self, *node, bodies)) return;
       cast.end(path.end);
     }
-    node = waiting.next(*node, bits & ~bodies, keys, path.end);
+    node = waiting.next(*node, without(bits, bodies), keys, path.end);
   }
 }
 
@@ -203,15 +218,16 @@ void walk_tree_for_near(const TreeNode* nodes, const NearNumbers& question, cons
         [&](const auto& faces, VectorOf<Lanes>& square) { return lanes.test(faces, square); });
     std::uint64_t keys[TreeNode::kBoxes];
     std::uint32_t found = 0;
-    for (std::uint32_t bodies = bits & node->bodies; bodies != 0; bodies &= bodies - 1) {
-      const auto lane = static_cast<unsigned>(__builtin_ctz(bodies));
+    const std::uint32_t bodies = bits & node->bodies;
+    for (std::uint32_t rest = bodies; rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<unsigned>(__builtin_ctz(rest));
       keys[found++] = near_key(squares[lane], lane);
     }
     if (found > 0) {
       if (!take.take(take.self, *node, keys, found)) return;
       lanes.most = all<Lanes>(question.most);
     }
-    node = waiting.next(*node, bits & ~node->bodies, squares, question.most);
+    node = waiting.next(*node, without(bits, bodies), squares, question.most);
   }
 }
 

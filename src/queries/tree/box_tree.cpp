@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -151,7 +152,7 @@ struct Parts {
   std::size_t count = 0;
 };
 
-/// Cuts boxes in two where the surfaces of both sides become small, up to seven times for a node.
+/// Cuts boxes in two where the surfaces of both sides become small, while a node has room for one more.
 class TreeBuilder {
  public:
   explicit TreeBuilder(Vector<TreeNode>& nodes) : nodes_(nodes) {}
@@ -165,7 +166,7 @@ class TreeBuilder {
  private:
   /// From here on parts are halved by number: no boxes make the tree any deeper.
   static constexpr unsigned kHalved = 24;
-  static_assert(kHalved + 32 / 3 + 1 <= kTreeDepth);
+  static_assert(kHalved + 32 / (std::bit_width(kFull) - 1) + 1 <= kTreeDepth);
 
   void fill(std::uint32_t node, std::span<TreeEntry> entries, unsigned depth) {
     Parts parts = depth < kHalved ? cut_by_surface(entries) : cut_by_number(entries);
