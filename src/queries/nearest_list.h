@@ -28,32 +28,22 @@ class NearestList {
 
   bool takes(const Neighbor& neighbor) const {
     if (!(neighbor.distance <= most())) return false;
-    return found_.size() < count_ || Before()(neighbor, found_.front());
+    return found_.size() < count_ || Nearer()(neighbor, found_.front());
   }
 
   /// One that it takes().
   void add(const Neighbor& neighbor) {
     if (found_.size() == count_) {
-      std::ranges::pop_heap(found_, Before());
+      std::ranges::pop_heap(found_, Nearer());
       found_.back() = neighbor;
     } else {
       found_.push_back(neighbor);
     }
-    std::ranges::push_heap(found_, Before());
+    std::ranges::push_heap(found_, Nearer());
     if (found_.size() == count_) most_ = found_.front().distance;
   }
 
-  void sort() {
-    sort_answers(
-        std::span(found_), [](const Neighbor& neighbor) { return neighbor.distance; }, Before());
-  }
-
-  /// By distance, and of the same by body.
-  struct Before {
-    bool operator()(const Neighbor& one, const Neighbor& other) const {
-      return one.distance != other.distance ? one.distance < other.distance : one.body < other.body;
-    }
-  };
+  void sort() { sort_neighbors(found_); }
 
  private:
   std::size_t count_;

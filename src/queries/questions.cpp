@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
 #include <unordered_set>
 
@@ -79,7 +78,7 @@ void list_overlaps(const Asked& asked, const Region& region, std::vector<BodyId>
     found.push_back(asked.world.id(slot));
     return true;
   });
-  sort_answers(std::span(found).subspan(before), std::identity(), std::less());
+  sort_ids(asked.world.kernels(), std::span(found).subspan(before));
 }
 
 bool any_overlap(const Asked& asked, const Region& region) {
@@ -111,9 +110,7 @@ void list_within(const Asked& asked, const Region& region, std::vector<Neighbor>
     }
     return true;
   });
-  sort_answers(
-      std::span(found).subspan(before), [](const Neighbor& neighbor) { return neighbor.distance; },
-      NearestList::Before());
+  sort_neighbors(std::span(found).subspan(before));
 }
 
 void list_nearest(const Asked& asked, const Aabb& box, std::size_t count, double most,

@@ -1,36 +1,52 @@
 /// @file
-/// Few answers are sorted as std::sort sorts them, however many are alike.
+/// Few answers are sorted as std::sort sorts them, however many are alike, by the kernels of each instruction
+/// set.
 #include "queries/short_sort.h"
 
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <algorithm>
 #include <limits>
+#include <set>
 #include <vector>
 
 #include "contract/random.h"
-#include "queries/nearest_list.h"
 
 namespace cellsweep::queries {
 namespace {
 
 using contract::Random;
 
-TEST(ShortSort, SortsIdsOfAnyNumber) {
-  for (std::size_t count = 0; count <= kMostCounted<BodyId> + 2; ++count) {
+/// Any numbers, each once, in no order.
+std::vector<BodyId> some_ids(std::size_t count, Random& random) {
+  std::set<BodyId> ids;
+  if (count > 0) ids.insert(std::numeric_limits<BodyId>::max());
+  if (count > 1) ids.insert(0);
+  if (count > 3) ids.insert({0x7fff'ffff, 0x8000'0000});
+  while (ids.size() < count) ids.insert(static_cast<BodyId>(random.bits()));
+  std::vector<BodyId> list(ids.begin(), ids.end());
+  for (std::size_t i = 1; i < list.size(); ++i) std::swap(list[i], list[random.bits() % (i + 1)]);
+  return list;
+}
+
+class ShortSort : public testing::TestWithParam<VectorIsa> {};
+
+TEST_P(ShortSort, SortsIdsOfAnyNumber) {
+  for (std::size_t count = 0; count <= kMostRanked + 2; ++count) {
     Random random(count);
-    std::vector<BodyId> ids(count);
-    for (BodyId& id : ids) id = static_cast<BodyId>(random.bits());
-    if (count > 1) ids[count / 2] = std::numeric_limits<BodyId>::max();
+    std::vector<BodyId> ids = some_ids(count, random);
     std::vector<BodyId> expected = ids;
     std::ranges::sort(expected);
-    sort_answers(std::span(ids), std::identity(), std::less());
-    EXPECT_EQ(ids, expected) << count;
+    sort_ids(query_kernels(GetParam()), ids);
+    ASSERT_EQ(ids, expected) << count;
   }
 }
 
-TEST(ShortSort, SortsNeighborsOfWhichManyAreAsFar) {
-  for (std::size_t count = 0; count <= kMostCounted<double> + 2; ++count) {
+INSTANTIATE_TEST_SUITE_P(InstructionSets, ShortSort,
+                         testing::Values(VectorIsa::portable, VectorIsa::avx2, VectorIsa::avx512));
+
+TEST(ShortSortOfNeighbors, SortsThemWhenManyAreAsFar) {
+  for (std::size_t count = 0; count <= 70; ++count) {
     for (const std::uint64_t distances : {1, 2, 7, 1'000'000}) {
       Random random(count * distances);
       std::vector<Neighbor> neighbors(count);
@@ -39,10 +55,8 @@ TEST(ShortSort, SortsNeighborsOfWhichManyAreAsFar) {
         if (random.bits() % 9 == 0) neighbor.distance = std::numeric_limits<double>::infinity();
       }
       std::vector<Neighbor> expected = neighbors;
-      std::ranges::sort(expected, NearestList::Before());
-      sort_answers(
-          std::span(neighbors), [](const Neighbor& neighbor) { return neighbor.distance; },
-          NearestList::Before());
+      std::ranges::sort(expected, Nearer());
+      sort_neighbors(neighbors);
       EXPECT_EQ(neighbors, expected) << count << " of " << distances;
     }
   }

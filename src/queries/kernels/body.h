@@ -5,6 +5,7 @@
 #include "cellsweep/engine/cell_boxes.h"
 #include "queries/kernels/kernel.h"
 #include "queries/kernels/lanes.h"
+#include "queries/kernels/rank.h"
 #include "queries/kernels/tree_walk.h"
 
 namespace cellsweep::queries {
@@ -39,7 +40,8 @@ constexpr QueryKernels make_query_kernels(VectorIsa isa) {
               walk_tree_on_path<Nodes, false>(nodes, path, take);
             }
           },
-          walk_tree_for_near<Nodes>};
+          walk_tree_for_near<Nodes>,
+          rank<Nodes::kCount>};
 }
 
 }  // namespace
