@@ -37,6 +37,11 @@ class Reach {
   const Aabb& box() const { return reach_; }
   double distance() const { return distance_; }
   double distance_to(const Aabb& box) const { return distance_of(box_, box); }
+  /// The same to each of some boxes; behind the last distance there is room for kDistancesAtOnce.
+  void measure(const World& world, Slots slots, double* distances) const {
+    world.kernels().distances(world.boxes().data(), slots.data(), static_cast<std::uint32_t>(slots.size()),
+                              box_, distances);
+  }
   bool overlaps(const Aabb& box) const {
     return distance_ == 0 ? overlap(box_, box) : distance_to(box) <= distance_;
   }
@@ -51,14 +56,23 @@ bool comes_before(const Touch& one, const Touch& other) {
   return one.time != other.time ? one.time < other.time : one.body < other.body;
 }
 
+/// Whether a walk through a region's box finds bodies that overlap it for certain. A box by its slot lies
+/// anywhere in memory: it is looked at where it must be.
+bool are_certain(const World& world, const Reach& reach) {
+  return reach.distance() == 0 && world.overlaps_are_certain();
+}
+
+bool are_all_answers(const Asked& asked, const Reach& reach) {
+  return are_certain(asked.world, reach) && !asked.filter.as && !asked.filter.predicate;
+}
+
 /// Calls `visit(slot)` for the answers until it returns false.
 template <class Visit>
 void for_each_overlap(const Asked& asked, const Reach& reach, const Visit& visit) {
-  // A box by its slot lies anywhere in memory: it is looked at where it must be.
-  const bool are_certain = reach.distance() == 0 && asked.world.overlaps_are_certain();
+  const bool overlap_for_certain = are_certain(asked.world, reach);
   walk_region(asked.world, reach.box(), [&](Slots slots) {
     for (const Slot slot : slots) {
-      if (!are_certain && !reach.overlaps(asked.world.box(slot))) continue;
+      if (!overlap_for_certain && !reach.overlaps(asked.world.box(slot))) continue;
       if (!asked.world.is_answer(asked.filter, slot)) continue;
       if (!visit(slot)) return false;
     }
@@ -74,10 +88,19 @@ void visit_overlaps(const Asked& asked, const Region& region, FunctionRef<bool(B
 
 void list_overlaps(const Asked& asked, const Region& region, std::vector<BodyId>& found) {
   const std::size_t before = found.size();
-  for_each_overlap(asked, Reach(region), [&](Slot slot) {
-    found.push_back(asked.world.id(slot));
-    return true;
-  });
+  const Reach reach(region);
+  if (are_all_answers(asked, reach)) {
+    walk_region(asked.world, reach.box(), [&](Slots slots) {
+      found.insert(found.end(), slots.begin(), slots.end());
+      return true;
+    });
+    for (BodyId& answer : std::span(found).subspan(before)) answer = asked.world.id(answer);
+  } else {
+    for_each_overlap(asked, reach, [&](Slot slot) {
+      found.push_back(asked.world.id(slot));
+      return true;
+    });
+  }
   sort_ids(asked.world.kernels(), std::span(found).subspan(before));
 }
 
@@ -98,12 +121,14 @@ void list_within(const Asked& asked, const Region& region, std::vector<Neighbor>
     double distance;
   };
   std::array<Near, kRowBoxes> near;
+  std::array<double, kRowBoxes + kDistancesAtOnce> distances;  // NOLINT(*-member-init): as far as it is read
   walk_region(asked.world, reach.box(), [&](Slots slots) {
+    reach.measure(asked.world, slots, distances.data());
     // Half of them are too far, nobody could foretell which: all are written down, and most written over.
     std::size_t count = 0;
-    for (const Slot slot : slots) {
-      near[count] = {slot, reach.distance_to(asked.world.box(slot))};
-      count += near[count].distance <= reach.distance() ? 1 : 0;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      near[count] = {slots[i], distances[i]};
+      count += distances[i] <= reach.distance() ? 1 : 0;
     }
     for (const auto& [slot, distance] : std::span(near).first(count)) {
       if (asked.world.is_answer(asked.filter, slot)) found.push_back({asked.world.id(slot), distance});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cellsweep/engine/cell_boxes.h"
+#include "queries/kernels/distances.h"
 #include "queries/kernels/kernel.h"
 #include "queries/kernels/lanes.h"
 #include "queries/kernels/rank.h"
@@ -41,6 +42,7 @@ constexpr QueryKernels make_query_kernels(VectorIsa isa) {
             }
           },
           walk_tree_for_near<Nodes>,
+          distances<Nodes>,
           rank<Nodes::kCount>};
 }
 

@@ -22,6 +22,9 @@ inline constexpr std::uint32_t kMostLanes = 16;
 inline constexpr std::uint32_t kMostRanked = 512;
 inline constexpr std::uint32_t kRankedAtOnce = 32;
 
+/// So many distances are computed at a time.
+inline constexpr std::uint32_t kDistancesAtOnce = 4;
+
 /// Boxes `step` bytes apart. Behind the last one a whole vector of boxes can be read.
 struct BoxRow {
   const std::byte* first = nullptr;
@@ -82,6 +85,11 @@ struct QueryKernels {
   void (*overlap_tree)(const TreeNode* nodes, const Aabb& box, const TakeBodies& take);
   void (*cast_tree)(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take);
   void (*near_tree)(const TreeNode* nodes, const NearNumbers& question, const TakeNearBodies& take);
+
+  /// How far boxes by slot are from one: distance_of() of each. Behind the last distance there is room for
+  /// kDistancesAtOnce.
+  void (*distances)(const Aabb* boxes, const std::uint32_t* slots, std::uint32_t count, const Aabb& from,
+                    double* distances);
 
   /// The place of each of at most kMostRanked numbers in their order. No two of them are the same; behind the
   /// last number and the last place there is room for kRankedAtOnce.

@@ -8,6 +8,7 @@ namespace {
 struct PortableQueryLanes : LanesInOrder<4> {
   using Vector [[gnu::vector_size(16)]] = float;
   using Mask [[gnu::vector_size(16)]] = std::int32_t;
+  using Doubles [[gnu::vector_size(16)]] = double;
 
   static void gather(const std::byte* boxes, std::size_t step, Vector (&faces)[6]) {
     const auto number = [&](unsigned box, unsigned face) {
@@ -15,6 +16,10 @@ struct PortableQueryLanes : LanesInOrder<4> {
     };
     for (unsigned face = 0; face < 6; ++face)
       faces[face] = Vector{number(0, face), number(1, face), number(2, face), number(3, face)};
+  }
+  static Doubles doubles(Vector floats, unsigned first) { return Doubles{floats[first], floats[first + 1]}; }
+  static Doubles roots(Doubles squares) {
+    return Doubles{__builtin_sqrt(squares[0]), __builtin_sqrt(squares[1])};
   }
   static Mask less_equal(Vector a, Vector b) { return a <= b; }
   static std::uint32_t bits(Mask mask) {
