@@ -16,7 +16,10 @@ using stream::Node;
 class RegionWalk {
  public:
   RegionWalk(const World& world, const Aabb& box, FunctionRef<bool(std::span<const Slot>)> take)
-      : kernels_(world.kernels()), box_(box), take_(take) {}
+      : kernels_(world.kernels()),
+        overlap_(box.min == box.max ? kernels_.overlap_few : kernels_.overlap),
+        box_(box),
+        take_(take) {}
 
   bool walk(const BoxTree& tree) {
     const auto take = [](void* self, const TreeNode& node, std::uint32_t bodies) {
@@ -28,7 +31,7 @@ class RegionWalk {
 
   bool scan(const World& world) {
     return for_each_row(world.boxes(), [&](const BoxRow& row, Slot first) {
-      const std::uint32_t found = kernels_.overlap(row, box_, places_.data());
+      const std::uint32_t found = overlap_(row, box_, places_.data());
       std::uint32_t kept = 0;
       for (std::uint32_t i = 0; i < found; ++i) {
         const Slot slot = first + places_[i];
@@ -55,7 +58,7 @@ class RegionWalk {
   // tells of it.
   bool look(const Cell& cell, std::uint32_t flags) {
     return for_each_row(cell.boxes, [&](const BoxRow& row, std::uint32_t first) {
-      const std::uint32_t found = kernels_.overlap(row, box_, places_.data());
+      const std::uint32_t found = overlap_(row, box_, places_.data());
       std::uint32_t kept = 0;
       for (std::uint32_t i = 0; i < found; ++i) {
         const std::uint32_t tag = cell.boxes.boxes[first + places_[i]].tag;
@@ -76,6 +79,7 @@ class RegionWalk {
   bool give(std::uint32_t count) { return count == 0 || take_({places_.data(), count}); }
 
   const QueryKernels& kernels_;
+  const decltype(QueryKernels::overlap) overlap_;
   const Aabb& box_;
   FunctionRef<bool(std::span<const Slot>)> take_;
   bool goes_on_ = true;

@@ -25,6 +25,7 @@ constexpr QueryKernels make_query_kernels(VectorIsa isa) {
             return is_tagged(row) ? find_overlaps<Tagged>(row, box, places)
                                   : find_overlaps<Plain>(row, box, places);
           },
+          find_overlaps<Nodes>,
           [](const BoxRow& row, const CastNumbers& path, std::uint32_t* places) {
             return is_tagged(row) ? find_on_path<Tagged>(row, path, places)
                                   : find_on_path<Plain>(row, path, places);

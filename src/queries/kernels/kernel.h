@@ -64,7 +64,7 @@ struct TakeNearBodies {
   void* self;
 };
 
-/// The kernels of one instruction set. Each of the first three writes the places in the row of all boxes that
+/// The kernels of one instruction set. Each of the first four writes the places in the row of all boxes that
 /// may be answers and some more, which rounding made look like some, and returns how many these are. A box of
 /// NaN is none. There is room for a whole vector behind kRowBoxes places.
 struct QueryKernels {
@@ -72,6 +72,9 @@ struct QueryKernels {
 
   /// Boxes that overlap one: exactly those.
   std::uint32_t (*overlap)(const BoxRow& row, const Aabb& box, std::uint32_t* places);
+
+  /// The same, sooner where hardly any do, as of a point.
+  std::uint32_t (*overlap_few)(const BoxRow& row, const Aabb& box, std::uint32_t* places);
 
   /// Boxes that a path touches.
   std::uint32_t (*cast)(const BoxRow& row, const CastNumbers& path, std::uint32_t* places);
