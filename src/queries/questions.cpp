@@ -80,6 +80,46 @@ void for_each_overlap(const Asked& asked, const Reach& reach, const Visit& visit
   });
 }
 
+/// Lists those of some bodies that are near enough. A walk finds few at a time; they wait, as many distances
+/// are computed side by side in little more time than one.
+class WithinReach {
+ public:
+  WithinReach(const Asked& asked, const Reach& reach, std::vector<Neighbor>& found)
+      : asked_(asked), reach_(reach), found_(found) {}
+
+  /// At most kRowBoxes.
+  void add(Slots slots) {
+    if (count_ + slots.size() > kRowBoxes) finish();
+    std::ranges::copy(slots, waiting_.begin() + static_cast<std::ptrdiff_t>(count_));
+    count_ += slots.size();
+  }
+
+  void finish() {
+    reach_.measure(asked_.world, std::span(waiting_).first(count_), distances_.data());
+    // Half of them are too far, nobody could foretell which: all are written down, and most written over.
+    std::size_t near = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      waiting_[near] = waiting_[i];
+      distances_[near] = distances_[i];
+      near += distances_[i] <= reach_.distance() ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < near; ++i) {
+      const Slot slot = waiting_[i];
+      if (asked_.world.is_answer(asked_.filter, slot))
+        found_.push_back({asked_.world.id(slot), distances_[i]});
+    }
+    count_ = 0;
+  }
+
+ private:
+  const Asked& asked_;
+  const Reach& reach_;
+  std::vector<Neighbor>& found_;
+  std::size_t count_ = 0;
+  std::array<Slot, kRowBoxes> waiting_;                         // NOLINT(*-member-init): as far as it is read
+  std::array<double, kRowBoxes + kDistancesAtOnce> distances_;  // NOLINT(*-member-init): as far as it is read
+};
+
 }  // namespace
 
 void visit_overlaps(const Asked& asked, const Region& region, FunctionRef<bool(BodyId)> visit) {
@@ -116,25 +156,12 @@ bool any_overlap(const Asked& asked, const Region& region) {
 void list_within(const Asked& asked, const Region& region, std::vector<Neighbor>& found) {
   const std::size_t before = found.size();
   const Reach reach(region);
-  struct Near {
-    Slot slot;
-    double distance;
-  };
-  std::array<Near, kRowBoxes> near;
-  std::array<double, kRowBoxes + kDistancesAtOnce> distances;  // NOLINT(*-member-init): as far as it is read
+  WithinReach within(asked, reach, found);
   walk_region(asked.world, reach.box(), [&](Slots slots) {
-    reach.measure(asked.world, slots, distances.data());
-    // Half of them are too far, nobody could foretell which: all are written down, and most written over.
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-      near[count] = {slots[i], distances[i]};
-      count += distances[i] <= reach.distance() ? 1 : 0;
-    }
-    for (const auto& [slot, distance] : std::span(near).first(count)) {
-      if (asked.world.is_answer(asked.filter, slot)) found.push_back({asked.world.id(slot), distance});
-    }
+    within.add(slots);
     return true;
   });
+  within.finish();
   sort_neighbors(std::span(found).subspan(before));
 }
 
