@@ -12,7 +12,7 @@
 namespace cellsweep::queries {
 
 /// Keeps the first `count` of all that are offered by (distance, body), none beyond `most`. The caller's
-/// vector is the memory: a heap with the last one on top, until sort().
+/// vector is the memory: a heap with the last one on top, until sort(), or a few in order.
 class NearestList {
  public:
   NearestList(std::size_t count, double most, std::vector<Neighbor>& found)
@@ -28,24 +28,41 @@ class NearestList {
 
   bool takes(const Neighbor& neighbor) const {
     if (!(neighbor.distance <= most())) return false;
-    return found_.size() < count_ || Nearer()(neighbor, found_.front());
+    return found_.size() < count_ || Nearer()(neighbor, last());
   }
 
   /// One that it takes().
   void add(const Neighbor& neighbor) {
-    if (found_.size() == count_) {
+    if (found_.size() < count_) {
+      found_.emplace_back();
+    } else if (!are_few()) {
       std::ranges::pop_heap(found_, Nearer());
-      found_.back() = neighbor;
-    } else {
-      found_.push_back(neighbor);
     }
-    std::ranges::push_heap(found_, Nearer());
-    if (found_.size() == count_) most_ = found_.front().distance;
+    put_last(neighbor);
+    if (found_.size() == count_) most_ = last().distance;
   }
 
-  void sort() { sort_neighbors(found_); }
+  void sort() {
+    if (!are_few()) sort_neighbors(found_);
+  }
 
  private:
+  // To keep these in order takes less than a heap.
+  bool are_few() const { return count_ <= 16; }
+  const Neighbor& last() const { return are_few() ? found_.back() : found_.front(); }
+
+  // The last place of the list is free: in it, and from there on to where the neighbor belongs.
+  void put_last(const Neighbor& neighbor) {
+    if (!are_few()) {
+      found_.back() = neighbor;
+      std::ranges::push_heap(found_, Nearer());
+      return;
+    }
+    std::size_t place = found_.size() - 1;
+    for (; place > 0 && Nearer()(neighbor, found_[place - 1]); --place) found_[place] = found_[place - 1];
+    found_[place] = neighbor;
+  }
+
   std::size_t count_;
   double most_;
   std::vector<Neighbor>& found_;

@@ -1,9 +1,11 @@
 #include "queries/nearest_walk.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engines/stream/cells/cell_tree.h"
 #include "queries/arithmetic.h"
@@ -49,6 +51,18 @@ float square_above(double distance) {
                        : static_cast<float>(square * (1 + 0x1p-20)) + 1e-37F;
 }
 
+/// Makes the first `count` keys the least, in order. Of one alone without a branch for each of the others.
+void put_least_first(std::span<std::uint64_t> keys, std::size_t count) {
+  if (count != 1) return std::partial_sort(keys.data(), keys.data() + count, keys.data() + keys.size());
+  std::uint64_t least = keys[0];
+  std::size_t place = 0;
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    place = keys[i] < least ? i : place;
+    least = std::min(least, keys[i]);
+  }
+  std::swap(keys[0], keys[place]);
+}
+
 class NearestWalk {
  public:
   NearestWalk(const World& world, const Aabb& box, const QueryFilter& filter, NearestList& nearest)
@@ -62,8 +76,7 @@ class NearestWalk {
 
   void walk(const BoxTree& tree) {
     const auto take = [](void* self, const TreeNode& node, std::uint64_t* keys, std::uint32_t count) {
-      const auto candidate = [&](std::uint32_t place) { return candidate_of(node, place); };
-      static_cast<NearestWalk*>(self)->look_at_nearest({keys, count}, candidate, [](Slot) { return true; });
+      static_cast<NearestWalk*>(self)->look_at_bodies(node, {keys, count});
       return true;
     };
     world_.kernels().near_tree(tree.nodes(), numbers_, {take, this});
@@ -73,7 +86,7 @@ class NearestWalk {
     looks_ = world_.boxes().size();
     for_each_row(world_.boxes(), [&](const BoxRow& row, Slot first) {
       look(
-          row, [&](std::uint32_t place) { return candidate(first + place); },
+          row, [&](std::uint32_t place) { return measured(first + place); },
           [&](Slot slot) { return world_.is_seen(slot); });
       return true;
     });
@@ -201,8 +214,6 @@ class NearestWalk {
     return square * (1 - 0x1p-48) <= most * most;
   }
 
-  Candidate candidate(Slot slot) const { return {slot, world_.box(slot)}; }
-
   static bool is_empty(const Cell& cell) { return cell.node == nullptr && cell.boxes.count == 0; }
 
   // And leaves none of them.
@@ -226,35 +237,58 @@ class NearestWalk {
     for_each_row(cell.boxes, [&](const BoxRow& row, std::uint32_t first) {
       const stream::TaggedBox* const boxes = cell.boxes.boxes + first;
       look(
-          row, [&](std::uint32_t place) { return candidate(boxes[place].tag & kSlotMask); },
+          row, [&](std::uint32_t place) { return measured(boxes[place].tag & kSlotMask); },
           [&](Slot slot) { return way.leads_to(nearest_point(world_.box(slot), box_)); });
       return true;
     });
   }
 
-  template <class CandidateOf, class IsHere>
-  void look(const BoxRow& row, const CandidateOf& candidate_of, const IsHere& is_here) {
+  template <class MeasuredAt, class IsHere>
+  void look(const BoxRow& row, const MeasuredAt& measured_at, const IsHere& is_here) {
     const std::uint32_t found = world_.kernels().near(row, numbers_, keys_.data());
-    look_at_nearest({keys_.data(), found}, candidate_of, is_here);
+    look_at_nearest({keys_.data(), found}, measured_at, is_here);
+  }
+
+  /// A body and how far it is.
+  struct Measured {
+    Slot slot;
+    double distance;
+  };
+  Measured measured(const Aabb& box, Slot slot) const { return {slot, distance_of(box, box_)}; }
+  Measured measured(Slot slot) const { return measured(world_.box(slot), slot); }
+
+  // The distances of all bodies of a node are computed side by side where several of them will be asked for.
+  void look_at_bodies(const TreeNode& node, std::span<std::uint64_t> keys) {
+    constexpr std::size_t kSeveral = 4;
+    const auto is_here = [](Slot) { return true; };
+    if (keys.size() < kSeveral || nearest_.room() == 1) {
+      const auto one = [&](std::uint32_t place) {
+        const Candidate candidate = candidate_of(node, place);
+        return measured(candidate.box, candidate.slot);
+      };
+      look_at_nearest(keys, one, is_here);
+    } else {
+      std::array<double, TreeNode::kBoxes> distances;  // NOLINT(*-member-init): the kernel writes all
+      world_.kernels().node_distances(node, box_, distances.data());
+      const auto one = [&](std::uint32_t place) { return Measured{node.content[place], distances[place]}; };
+      look_at_nearest(keys, one, is_here);
+    }
   }
 
   // While the list is not full, those that seem to be nearest come first: then most others need not be looked
   // at.
-  template <class CandidateOf, class IsHere>
-  void look_at_nearest(std::span<std::uint64_t> keys, const CandidateOf& candidate_of,
-                       const IsHere& is_here) {
-    const auto first = std::min(nearest_.room(), keys.size());
-    std::partial_sort(keys.data(), keys.data() + first, keys.data() + keys.size());
+  template <class MeasuredAt, class IsHere>
+  void look_at_nearest(std::span<std::uint64_t> keys, const MeasuredAt& measured_at, const IsHere& is_here) {
+    put_least_first(keys, std::min(nearest_.room(), keys.size()));
     for (const std::uint64_t key : keys) {
       if (std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)) > numbers_.most) continue;
-      offer(candidate_of(static_cast<std::uint32_t>(key)), is_here);
+      offer(measured_at(static_cast<std::uint32_t>(key)), is_here);
     }
   }
 
   template <class IsHere>
-  void offer(const Candidate& candidate, const IsHere& is_here) {
-    const Slot slot = candidate.slot;
-    const double distance = distance_of(candidate.box, box_);
+  void offer(const Measured& body, const IsHere& is_here) {
+    const auto [slot, distance] = body;
     if (!(distance <= nearest_.most())) return;
     const Neighbor neighbor{world_.id(slot), distance};
     if (!nearest_.takes(neighbor) || !is_here(slot) || !world_.is_answer(filter_, slot)) return;

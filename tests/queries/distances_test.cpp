@@ -2,6 +2,7 @@
 /// Distances by the kernels of each instruction set are those of arithmetic.h, to the last bit.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cfloat>
 #include <cstdint>
@@ -49,6 +50,28 @@ TEST_P(Distances, AreThoseOfArithmeticToTheLastBit) {
     }
     if (count % kDistancesAtOnce == 0) {
       EXPECT_EQ(distances[count], kUntouched);
+    }
+  }
+}
+
+TEST_P(Distances, OfANodesBoxesAreToo) {
+  Random random(8);
+  for (int round = 0; round < 100; ++round) {
+    TreeNode node{};
+    std::vector<Aabb> boxes;
+    for (unsigned place = 0; place < TreeNode::kBoxes; ++place) {
+      boxes.push_back(some_box(random));
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        node.faces[axis][place] = boxes.back().min[axis];
+        node.faces[axis + 3][place] = boxes.back().max[axis];
+      }
+    }
+    const Aabb from = some_box(random);
+    std::array<double, TreeNode::kBoxes> distances;
+    query_kernels(GetParam()).node_distances(node, from, distances.data());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(distances[i]),
+                std::bit_cast<std::uint64_t>(distance_of(from, boxes[i])));
     }
   }
 }

@@ -44,6 +44,7 @@ constexpr QueryKernels make_query_kernels(VectorIsa isa) {
           },
           walk_tree_for_near<Nodes>,
           distances<Nodes>,
+          node_distances<Nodes>,
           rank<Nodes::kCount>};
 }
 

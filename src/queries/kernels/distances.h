@@ -49,14 +49,15 @@ struct FourBoxes {
   }
 };
 
-/// Of boxes from `half` on, as many as there are lanes: the squares of their distances.
-template <class Lanes>
-typename Lanes::Doubles squares(const FourBoxes& boxes, const float* from, unsigned half) {
+/// The squares of the distances of as many of four boxes as there are lanes, from `half` on. `faces_of(face)`
+/// are theirs, side by side.
+template <class Lanes, class FacesOf>
+typename Lanes::Doubles squares(const FacesOf& faces_of, const float* from, unsigned half) {
   using Doubles = typename Lanes::Doubles;
   Doubles sum{};
   for (unsigned axis = 0; axis < 3; ++axis) {
-    const Doubles above = double{from[axis]} - Lanes::doubles(boxes.max[axis], half);
-    const Doubles below = Lanes::doubles(boxes.min[axis], half) - double{from[axis + 3]};
+    const Doubles above = double{from[axis]} - Lanes::doubles(faces_of(axis + 3), half);
+    const Doubles below = Lanes::doubles(faces_of(axis), half) - double{from[axis + 3]};
     const Doubles farther = above > below ? above : below;
     const Doubles gap = farther > Doubles{} ? farther : Doubles{};
     sum = axis == 0 ? gap * gap : sum + gap * gap;
@@ -64,17 +65,35 @@ typename Lanes::Doubles squares(const FourBoxes& boxes, const float* from, unsig
   return sum;
 }
 
+template <class Lanes, class FacesOf>
+void measure_four(const FacesOf& faces_of, const Aabb& from, double* distances) {
+  constexpr unsigned kLanes = sizeof(typename Lanes::Doubles) / sizeof(double);
+  for (unsigned half = 0; half < kDistancesAtOnce; half += kLanes) {
+    const auto roots = Lanes::roots(squares<Lanes>(faces_of, reinterpret_cast<const float*>(&from), half));
+    __builtin_memcpy(distances + half, &roots, sizeof(roots));
+  }
+}
+
 template <class Lanes>
 void distances(const Aabb* boxes, const std::uint32_t* slots, std::uint32_t count, const Aabb& from,
                double* distances) {
-  constexpr unsigned kLanes = sizeof(typename Lanes::Doubles) / sizeof(double);
   for (std::uint32_t first = 0; first < count; first += kDistancesAtOnce) {
     const auto slot = [=](std::uint32_t i) { return slots[first + i < count ? first + i : first]; };
     const FourBoxes four(boxes, {slot(0), slot(1), slot(2), slot(3)});
-    for (unsigned half = 0; half < kDistancesAtOnce; half += kLanes) {
-      const auto roots = Lanes::roots(squares<Lanes>(four, reinterpret_cast<const float*>(&from), half));
-      __builtin_memcpy(distances + first + half, &roots, sizeof(roots));
-    }
+    measure_four<Lanes>([&](unsigned face) { return face < 3 ? four.min[face] : four.max[face - 3]; }, from,
+                        distances + first);
+  }
+}
+
+template <class Lanes>
+void node_distances(const TreeNode& node, const Aabb& from, double* distances) {
+  for (unsigned first = 0; first < TreeNode::kBoxes; first += kDistancesAtOnce) {
+    const auto faces_of = [&](unsigned face) {
+      FourFloats faces;
+      __builtin_memcpy(&faces, node.faces[face] + first, sizeof(faces));
+      return faces;
+    };
+    measure_four<Lanes>(faces_of, from, distances + first);
   }
 }
 

@@ -93,6 +93,8 @@ struct QueryKernels {
   /// kDistancesAtOnce.
   void (*distances)(const Aabb* boxes, const std::uint32_t* slots, std::uint32_t count, const Aabb& from,
                     double* distances);
+  /// The same of all boxes of a node.
+  void (*node_distances)(const TreeNode& node, const Aabb& from, double* distances);
 
   /// The place of each of at most kMostRanked numbers in their order. No two of them are the same; behind the
   /// last number and the last place there is room for kRankedAtOnce.
