@@ -5,6 +5,7 @@
 #include <cfloat>
 #include <cmath>
 #include <limits>
+#include <new>
 
 #include "engines/stream/cells/cell_tree.h"
 #include "queries/layer_way.h"
@@ -192,7 +193,7 @@ class PathWalk {
       const std::uint32_t given = std::min(count - first, kGiven);
       for (std::uint32_t i = 0; i < given; ++i) {
         const Slot slot = places_[first + i];
-        candidates_.list[i] = {slot, world_.box(slot)};
+        put(i, {slot, world_.box(slot)});
       }
       if (!give(given)) return false;
     }
@@ -202,8 +203,12 @@ class PathWalk {
   bool give_bodies_of(const TreeNode& node, std::uint32_t bodies) {
     std::uint32_t count = 0;
     for (; bodies != 0; bodies &= bodies - 1)
-      candidates_.list[count++] = candidate_of(node, static_cast<std::size_t>(std::countr_zero(bodies)));
+      put(count++, candidate_of(node, static_cast<std::size_t>(std::countr_zero(bodies))));
     return give(count);
+  }
+
+  void put(std::uint32_t place, const Candidate& candidate) {
+    ::new (&candidates_.list[place]) Candidate(candidate);
   }
 
   bool give(std::uint32_t count) {
@@ -226,7 +231,7 @@ class PathWalk {
   static constexpr std::uint64_t kLooksOfCell = 4;
   static constexpr std::uint32_t kGiven = TreeNode::kBoxes;
 
-  /// Nobody initialises them before they are written.
+  /// Room that nobody initialises: a question looks at few of them or none.
   union Candidates {
     Candidates() {}  // NOLINT(modernize-use-equals-default): that would be no constructor
     Candidate list[kGiven];
