@@ -26,6 +26,7 @@ class CountedPlaces {
     for (std::size_t first = 0; first < count; first += kLanes) count_before(first, count);
   }
 
+  double distance(std::size_t i) const { return distances_[i]; }
   std::size_t operator[](std::size_t i) const { return static_cast<std::size_t>(places_[i]); }
 
  private:
@@ -55,10 +56,9 @@ void sort_ids(const QueryKernels& kernels, std::span<BodyId> ids) {
   constexpr BodyId kTopBit = BodyId{1} << 31;  // the other way round, numbers with a sign are in their order
   const std::size_t count = ids.size();
   if (count < kFewestCounted || count > kMostRanked) return std::sort(ids.begin(), ids.end());
-  std::array<std::int32_t, kMostRanked + kRankedAtOnce>
-      numbers;  // NOLINT(*-member-init): as far as it is read
-  std::array<std::uint32_t, kMostRanked + kRankedAtOnce>
-      places;  // NOLINT(*-member-init): as far as it is read
+  constexpr std::size_t kRoom = kMostRanked + kRankedAtOnce;
+  std::array<std::int32_t, kRoom> numbers;  // NOLINT(*-member-init): as far as it is read
+  std::array<std::uint32_t, kRoom> places;  // NOLINT(*-member-init): as far as it is read
   for (std::size_t i = 0; i < count; ++i) numbers[i] = static_cast<std::int32_t>(ids[i] ^ kTopBit);
   std::fill_n(&numbers[count], kRankedAtOnce, 0);
   kernels.rank(numbers.data(), static_cast<std::uint32_t>(count), places.data());
@@ -69,9 +69,9 @@ void sort_neighbors(std::span<Neighbor> neighbors) {
   if (neighbors.size() < kFewestCounted || neighbors.size() > kMostCounted)
     return std::sort(neighbors.begin(), neighbors.end(), Nearer());
   const CountedPlaces places(neighbors);
-  std::array<Neighbor, kMostCounted> before;
-  std::ranges::copy(neighbors, before.begin());
-  for (std::size_t i = 0; i < neighbors.size(); ++i) neighbors[places[i]] = before[i];
+  std::array<BodyId, kMostCounted> bodies;  // NOLINT(*-member-init): as far as it is read
+  for (std::size_t i = 0; i < neighbors.size(); ++i) bodies[i] = neighbors[i].body;
+  for (std::size_t i = 0; i < neighbors.size(); ++i) neighbors[places[i]] = {bodies[i], places.distance(i)};
   for (std::size_t i = 1; i < neighbors.size(); ++i) {
     for (std::size_t at = i; at > 0 && Nearer()(neighbors[at], neighbors[at - 1]); --at)
       std::swap(neighbors[at], neighbors[at - 1]);

@@ -136,7 +136,7 @@ Int4 may_be_large(const Aabb& box, Float4 limits) {
 }
 
 // Four boxes are asked at a time. Which of them are large nobody can foretell: a list is made without a
-// branch.
+// branch. Not inlined: that would be a kilobyte for each caller.
 [[gnu::noinline]] Sums sum_large(const Boxes& boxes, const Ranges& ranges, Float4 limits) {
   Sums sums;
   const auto add = [&](std::size_t i) {
