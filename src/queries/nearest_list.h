@@ -47,8 +47,10 @@ class NearestList {
   }
 
  private:
-  // To keep these in order takes less than a heap.
-  bool are_few() const { return count_ <= 16; }
+  /// To keep so many in order takes less than a heap.
+  static constexpr std::size_t kFew = 16;
+
+  bool are_few() const { return count_ <= kFew; }
   const Neighbor& last() const { return are_few() ? found_.back() : found_.front(); }
 
   // The last place of the list is free: in it, and from there on to where the neighbor belongs.

@@ -56,8 +56,8 @@ bool comes_before(const Touch& one, const Touch& other) {
   return one.time != other.time ? one.time < other.time : one.body < other.body;
 }
 
-/// Whether a walk through a region's box finds bodies that overlap it for certain. A box by its slot lies
-/// anywhere in memory: it is looked at where it must be.
+/// Whether a walk through a region's box finds bodies that overlap it for certain. Else their boxes are
+/// looked at, which by slot lie anywhere in memory.
 bool are_certain(const World& world, const Reach& reach) {
   return reach.distance() == 0 && world.overlaps_are_certain();
 }
@@ -131,10 +131,12 @@ void list_overlaps(const Asked& asked, const Region& region, std::vector<BodyId>
   const Reach reach(region);
   if (are_all_answers(asked, reach)) {
     walk_region(asked.world, reach.box(), [&](Slots slots) {
-      found.insert(found.end(), slots.begin(), slots.end());
+      // Ids at once: where memory runs out later on, the caller has no slots in their place.
+      const std::size_t here = found.size();
+      found.resize(here + slots.size());
+      std::ranges::transform(slots, &found[here], [&](Slot slot) { return asked.world.id(slot); });
       return true;
     });
-    for (BodyId& answer : std::span(found).subspan(before)) answer = asked.world.id(answer);
   } else {
     for_each_overlap(asked, reach, [&](Slot slot) {
       found.push_back(asked.world.id(slot));
