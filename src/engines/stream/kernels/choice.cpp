@@ -13,7 +13,8 @@ bool has(VectorIsa isa) {
     case VectorIsa::avx2:
       return __builtin_cpu_supports("avx2") != 0;
     case VectorIsa::avx512:
-      return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0;
+      return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+             __builtin_cpu_supports("avx512vl") != 0;
     default:
       return true;
   }
