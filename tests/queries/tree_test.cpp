@@ -90,6 +90,20 @@ TEST(BoxTree, HoldsEachBodyOnceWhateverTheBoxes) {
   }
 }
 
+// Also where bodies lie in lines or all in one place, and no surface says how they are cut best.
+TEST(BoxTree, FillsItsNodesWhateverTheBoxes) {
+  for (const contract::BoxKind& kind : contract::box_kinds()) {
+    for (const std::size_t count : {400, 5000}) {
+      SCOPED_TRACE(testing::Message() << count << " of " << kind);
+      Random random(count + 1);
+      std::vector<Aabb> boxes = contract::make_boxes(kind, random, count);
+      for (Aabb& box : boxes) box = contract::canonical_box(box);
+      const BoxTree tree(boxes, [](Slot) { return true; });
+      EXPECT_LE(8 * tree.size(), count);
+    }
+  }
+}
+
 // Each half as far as the one before, or twice as large: a cut takes off one of them.
 TEST(BoxTree, IsShallowWhereEachCutTakesOffLittle) {
   std::vector<Aabb> points;

@@ -33,16 +33,17 @@ struct BoxRow {
 };
 
 /// A Path in floats, its direction scaled so that the largest component is at least 1 and less than 2; times
-/// are in lengths of that.
+/// are in lengths of that. Which way it goes is known beforehand: nobody could foretell a branch at each box.
 struct CastNumbers {
-  float from_min[3];  ///< what is taken from a box's minimum: the path's own maximum
-  float from_max[3];
+  unsigned near[3];  ///< the face of boxes, of six, that it comes to first
+  float front[3];    ///< its own side that comes to that face
+  float back[3];     ///< its own side that leaves a box at the other one
   float inverse[3];  ///< of the direction; 0 on an axis along which the path does not move, or hardly
-  float wide[3];     ///< infinity on such an axis, or 0
-  float low[3];      ///< a box must reach above this and below the other, which say where the path ever is on
-  float high[3];     ///< such an axis; infinite on others
   float end;
-  bool is_flat;  ///< there is such an axis
+  bool is_flat;   ///< there is such an axis; what follows has numbers then only
+  float wide[3];  ///< infinity on such an axis, or 0
+  float low[3];   ///< a box must reach above this and below the other, which say where the path ever is on
+  float high[3];  ///< such an axis; infinite on others
 };
 
 /// A box in floats and the square of a distance.

@@ -84,29 +84,29 @@ std::uint32_t find_overlaps(const BoxRow& row, const Aabb& box, std::uint32_t* p
   return find_places<Lanes>(row, places, [&](const auto& faces) { return lanes.test(faces); });
 }
 
-/// The numbers of a path in all lanes.
-template <class Lanes>
+/// The numbers of a path in all lanes. `kFlat`: there may be an axis along which the path does not move.
+template <class Lanes, bool kFlat>
 struct CastLanes {
   VectorOf<Lanes> from_min[3], from_max[3], inverse[3], wide[3], low[3], high[3];
   VectorOf<Lanes> end;
 
   explicit CastLanes(const CastNumbers& path) : end(all<Lanes>(path.end)) {
     for (unsigned axis = 0; axis < 3; ++axis) {
-      from_min[axis] = all<Lanes>(path.from_min[axis]);
-      from_max[axis] = all<Lanes>(path.from_max[axis]);
+      const bool goes_up = path.near[axis] == axis;
+      from_min[axis] = all<Lanes>(goes_up ? path.front[axis] : path.back[axis]);
+      from_max[axis] = all<Lanes>(goes_up ? path.back[axis] : path.front[axis]);
       inverse[axis] = all<Lanes>(path.inverse[axis]);
+      if (!kFlat) continue;
       wide[axis] = all<Lanes>(path.wide[axis]);
       low[axis] = all<Lanes>(path.low[axis]);
       high[axis] = all<Lanes>(path.high[axis]);
     }
   }
 
-  /// A bit for each lane whose box the path may touch, and when it does at the earliest. `kFlat`: there may
-  /// be an axis along which the path does not move.
-  template <bool kFlat>
-  std::uint32_t test(const VectorOf<Lanes> (&faces)[6], VectorOf<Lanes>& enter) const {
+  /// A bit for each lane whose box the path may touch.
+  std::uint32_t test(const VectorOf<Lanes> (&faces)[6]) const {
     using Vector = VectorOf<Lanes>;
-    enter = Vector{};
+    Vector enter = {};
     Vector leave = end;
     auto meets = Lanes::less_equal(faces[0], faces[3]);
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -129,18 +129,15 @@ struct CastLanes {
 };
 
 template <class Lanes, bool kFlat>
-std::uint32_t find_on_path(const BoxRow& row, const CastNumbers& path, std::uint32_t* places) {
-  const CastLanes<Lanes> lanes(path);
-  return find_places<Lanes>(row, places, [&](const auto& faces) {
-    VectorOf<Lanes> enter;
-    return lanes.template test<kFlat>(faces, enter);
-  });
+std::uint32_t find_on_path_that(const BoxRow& row, const CastNumbers& path, std::uint32_t* places) {
+  const CastLanes<Lanes, kFlat> lanes(path);
+  return find_places<Lanes>(row, places, [&](const auto& faces) { return lanes.test(faces); });
 }
 
 template <class Lanes>
 std::uint32_t find_on_path(const BoxRow& row, const CastNumbers& path, std::uint32_t* places) {
-  return path.is_flat ? find_on_path<Lanes, true>(row, path, places)
-                      : find_on_path<Lanes, false>(row, path, places);
+  return path.is_flat ? find_on_path_that<Lanes, true>(row, path, places)
+                      : find_on_path_that<Lanes, false>(row, path, places);
 }
 
 /// The numbers of a near question in all lanes.

@@ -121,24 +121,22 @@ void walk_tree_for_overlaps(const TreeNode* nodes, const Aabb& box, const TakeBo
   }
 }
 
-/// A path against the boxes of nodes. The face at which it enters a box is known by its direction, and what
-/// rounding may do is in the numbers beforehand: fewer steps from the node to its answer.
-template <class Lanes>
+/// A path against the boxes of nodes. What rounding may do is in the numbers beforehand: fewer steps from the
+/// node to its answer. `kFlat`: there may be an axis along which the path does not move.
+template <class Lanes, bool kFlat>
 class CastAtNode {
  public:
   using Vector = VectorOf<Lanes>;
 
   explicit CastAtNode(const CastNumbers& path) : end_(all<Lanes>(path.end)) {
     for (unsigned axis = 0; axis < 3; ++axis) {
-      // Nobody could foretell a branch.
-      const unsigned goes_down = path.inverse[axis] < 0 ? 1 : 0;
-      const float from[2] = {path.from_min[axis], path.from_max[axis]};
-      first_[axis] = axis + 3 * goes_down;
-      last_[axis] = axis + 3 * (1 - goes_down);
-      enters_from_[axis] = all<Lanes>(from[goes_down]);
-      leaves_from_[axis] = all<Lanes>(from[1 - goes_down]);
+      near_[axis] = path.near[axis];
+      far_[axis] = 2 * axis + 3 - path.near[axis];
+      enters_from_[axis] = all<Lanes>(path.front[axis]);
+      leaves_from_[axis] = all<Lanes>(path.back[axis]);
       enters_by_[axis] = all<Lanes>(path.inverse[axis] * kSmaller);
       leaves_by_[axis] = all<Lanes>(path.inverse[axis] * kLarger);
+      if (!kFlat) continue;
       wide_[axis] = all<Lanes>(path.wide[axis]);
       low_[axis] = all<Lanes>(path.low[axis]);
       high_[axis] = all<Lanes>(path.high[axis]);
@@ -147,27 +145,24 @@ class CastAtNode {
 
   void end(float time) { end_ = all<Lanes>(time); }
 
-  /// A bit for each box of the node that the path may touch, and when it does at the earliest. `kFlat`: there
-  /// may be an axis along which the path does not move.
-  template <bool kFlat>
+  /// A bit for each box of the node that the path may touch, and when it does at the earliest.
   std::uint32_t test(const TreeNode& node, float (&enter)[TreeNode::kBoxes]) const {
     std::uint32_t bits = 0;
     for (unsigned first = 0; first < TreeNode::kBoxes; first += Lanes::kCount)
-      bits |= test_from<kFlat>(node, first, enter + first) << first;
+      bits |= test_from(node, first, enter + first) << first;
     return bits;
   }
 
  private:
   // A product that overflows, or is too small for a normal number, is rounded as others are: what enters no
   // later than it leaves comes out so. Where infinity is times 0 there is no bound.
-  template <bool kFlat>
   std::uint32_t test_from(const TreeNode& node, unsigned place, float* enter) const {
     Vector enters[3];
     Vector leave = end_;
     auto meets = Lanes::less_equal(face(node, 0, place), face(node, 3, place));
     for (unsigned axis = 0; axis < 3; ++axis) {
-      enters[axis] = (face(node, first_[axis], place) - enters_from_[axis]) * enters_by_[axis];
-      Vector leaves = (face(node, last_[axis], place) - leaves_from_[axis]) * leaves_by_[axis];
+      enters[axis] = (face(node, near_[axis], place) - enters_from_[axis]) * enters_by_[axis];
+      Vector leaves = (face(node, far_[axis], place) - leaves_from_[axis]) * leaves_by_[axis];
       if (kFlat) {
         leaves = leaves + wide_[axis];
         meets = meets & Lanes::less_equal(face(node, axis, place), high_[axis]);
@@ -184,19 +179,19 @@ class CastAtNode {
     return load<Lanes>(node.faces[number] + place);
   }
 
-  unsigned first_[3], last_[3];  // the faces at which the path enters and leaves boxes
+  unsigned near_[3], far_[3];  // the faces at which the path enters and leaves boxes
   Vector enters_from_[3], leaves_from_[3], enters_by_[3], leaves_by_[3];
-  Vector wide_[3], low_[3], high_[3];
+  Vector wide_[3], low_[3], high_[3];  // NOLINT(*-member-init): kFlat only
   Vector end_;
 };
 
 template <class Lanes, bool kFlat>
 void walk_tree_on_path(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
-  CastAtNode<Lanes> cast(path);
+  CastAtNode<Lanes, kFlat> cast(path);
   WaitingNodes<true> waiting(nodes);
   float keys[TreeNode::kBoxes];
   for (const TreeNode* node = nodes; node != nullptr;) {
-    const std::uint32_t bits = cast.template test<kFlat>(*node, keys);
+    const std::uint32_t bits = cast.test(*node, keys);
     const std::uint32_t bodies = bits & node->bodies;
     if (bodies != 0) {
       if (!take.take(take.self, *node, bodies)) return;
