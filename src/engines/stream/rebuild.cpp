@@ -1,14 +1,12 @@
 #include "engines/stream/rebuild.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "base/tuning.h"
 
 namespace cellsweep::stream {
 namespace {
-
-/// How much of the work is done with each stage. EPYC, uniform 1,000 to 100,000.
-constexpr double kDone[] = {0, 0, 0.17, 0.28, 0.4, 0.8, 1};
 
 bool may_prepare(const BodyChanges& changes) {
   return changes.inserted.empty() && changes.removed.empty() && do_most_move(changes);
@@ -45,41 +43,44 @@ bool Rebuild::begin(const BodyChanges& changes) {
   if (age_ != 1 || !search_.has_cells()) return false;
   if (!fat_boxes_.are_being_left(changes, tuning::kAllAhead)) return false;
   watch_.begin(changes);
+  shares_.begin();
   fat_boxes_.begin_prepared();
   holds_memory_ = true;
   stage_ = kBegun;
   return true;
 }
 
+/// Does a part of a stage, and notes what it took.
+template <class Work>
+void Rebuild::do_part(RebuildStage stage, const Work& work) {
+  const Cost::Clock::time_point start = Cost::Clock::now();
+  work();
+  shares_.note(stage, std::chrono::duration<double>(Cost::Clock::now() - start).count());
+}
+
 void Rebuild::prepare_until(double due, const BodyChanges& changes) {
   if (stage_ == kBegun && prepare_fat_boxes(due, changes)) stage_ = kFatBoxes;
   const auto fat = fat_boxes_.prepared();
   const Boxes boxes(fat.data(), fat.size());
-  if (stage_ == kFatBoxes && is_due(kListed, due)) {
-    search_.begin_prepared(boxes);
+  if (stage_ == kFatBoxes && shares_.is_due(kListed, due)) {
+    do_part(kListed, [&] { search_.begin_prepared(boxes); });
     stage_ = kListed;
   }
-  if (stage_ == kListed && is_due(kFilled, due)) {
-    search_.prepared().fill_cells(boxes);
+  if (stage_ == kListed && shares_.is_due(kFilled, due)) {
+    do_part(kFilled, [&] { search_.prepared().fill_cells(boxes); });
     copies_ = search_.prepared().copies();
     built_ = 0;
     stage_ = kFilled;
   }
   if (stage_ == kFilled && prepare_cells(due)) stage_ = kCells;
-  if (stage_ == kCells && is_due(kAll, due)) {
-    overlaps_.prepare(search_.prepared().found());
-    overlaps_.sort_prepared();
+  if (stage_ == kCells && shares_.is_due(kAll, due)) {
+    do_part(kAll, [&] {
+      overlaps_.prepare(search_.prepared().found());
+      overlaps_.sort_prepared();
+    });
+    shares_.learn();
     stage_ = kAll;
   }
-}
-
-// What is not cut is done in the update that has more than half of it to do.
-bool Rebuild::is_due(Stage stage, double due) {
-  return (kDone[stage - 1] + kDone[stage]) / 2 <= due;
-}
-
-double Rebuild::share_of(Stage stage, double due) {
-  return std::clamp((due - kDone[stage - 1]) / (kDone[stage] - kDone[stage - 1]), 0.0, 1.0);
 }
 
 // True when all of them are made. They will be used when all parts are done, and half an update sooner and
@@ -89,19 +90,21 @@ bool Rebuild::prepare_fat_boxes(double due, const BodyChanges& changes) {
   const auto place_of = [&](double share) {
     return static_cast<std::size_t>(share * static_cast<double>(changes.moved.size()));
   };
-  const double share = share_of(kFatBoxes, due);
+  const double share = shares_.due_of(kFatBoxes, due);
   const auto ahead = static_cast<float>(lasts_ - age_) - 0.5F;
-  fat_boxes_.prepare(crew_, changes, {place_of(fat_done_), place_of(share)}, ahead,
-                     static_cast<float>(next_lasts_));
+  do_part(kFatBoxes, [&] {
+    fat_boxes_.prepare(crew_, changes, {place_of(fat_done_), place_of(share)}, ahead,
+                       static_cast<float>(next_lasts_));
+  });
   fat_done_ = share;
   return share == 1;
 }
 
 // True when all of them are made.
 bool Rebuild::prepare_cells(double due) {
-  const auto wanted = static_cast<std::uint64_t>(share_of(kCells, due) * static_cast<double>(copies_));
+  const auto wanted = static_cast<std::uint64_t>(shares_.due_of(kCells, due) * static_cast<double>(copies_));
   CellTree& cells = search_.prepared();
-  if (wanted > built_) built_ += cells.go_on(wanted - built_);
+  if (wanted > built_) do_part(kCells, [&] { built_ += cells.go_on(wanted - built_); });
   return cells.is_built();
 }
 

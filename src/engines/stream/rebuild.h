@@ -12,6 +12,7 @@
 #include "engines/stream/bodies/watch.h"
 #include "engines/stream/cost.h"
 #include "engines/stream/pairs/overlaps.h"
+#include "engines/stream/rebuild_shares.h"
 #include "engines/stream/search.h"
 
 namespace cellsweep::stream {
@@ -43,15 +44,12 @@ class Rebuild {
   [[gnu::cold]] void drop();
 
  private:
-  /// What of it is done.
-  enum Stage { kNothing, kBegun, kFatBoxes, kListed, kFilled, kCells, kAll };
-
   [[gnu::cold]] bool begin(const BodyChanges& changes);
+  template <class Work>
+  void do_part(RebuildStage stage, const Work& work);
   void prepare_until(double due, const BodyChanges& changes);
   bool prepare_fat_boxes(double due, const BodyChanges& changes);
   bool prepare_cells(double due);
-  static bool is_due(Stage stage, double due);
-  static double share_of(Stage stage, double due);
   void begin_anew();
 
   Crew& crew_;
@@ -59,7 +57,8 @@ class Rebuild {
   Search& search_;
   Overlaps& overlaps_;
   Watch watch_;
-  Stage stage_ = kNothing;
+  RebuildStage stage_ = kNothing;
+  RebuildShares shares_;
   bool holds_memory_ = false;
   bool goes_on_ = false;          // the next fat boxes were needed, or will be soon
   double fat_done_ = 0;           // the share of the next fat boxes that are made

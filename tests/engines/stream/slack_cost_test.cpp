@@ -7,13 +7,13 @@
 namespace cellsweep::stream {
 namespace {
 
-constexpr std::size_t kBodies = 1000;
+constexpr std::size_t kInWorld = 1000;
 constexpr std::size_t kPairs = 3000;
 
 /// Updates until it is high; at most so many.
 int updates_until_high(SlackCost& cost, std::size_t candidates, int most) {
   for (int update = 0; update < most; ++update) {
-    if (cost.is_high(kBodies, candidates)) return update;
+    if (cost.is_high(kInWorld, candidates)) return update;
     cost.note(candidates, kPairs);
   }
   return most;
