@@ -89,6 +89,8 @@ inline constexpr std::uint32_t kUpdatesToRefit = 16;
 /// At least so many updates have a part of it each, and at most kAllAhead; with up to 14 it takes the same.
 /// EPYC, uniform and varied, 1,000 to 100,000, all moving.
 inline constexpr std::uint32_t kLastsAtLeast = 4;
+/// Where bodies creep and their fat boxes last for longer, at most so many: chosen, not measured.
+inline constexpr std::uint32_t kMostForNext = 2 * kAllAhead;
 /// To either side a fat box that is used later reaches so many of its box's lengths more: where a body will
 /// be is told by a difference of two numbers, which is not exact. EPYC, uniform 100,000.
 inline constexpr float kSlackOfLater = 1.0F / 256;

@@ -157,7 +157,7 @@ TEST(PeerChart, OfASceneWithAMotionOfItsOwnHasTwoPanels) {
 
 TEST(PeerTables, ShowHowEvenTheFramesAre) {
   EXPECT_EQ(tails_markdown({}), "");
-  const std::string name = "p99/stream/wall/10000/dyn10";
+  const std::string name = "p99/stream_1/wall/10000/dyn10";
   EXPECT_THAT(
       tails_markdown(results_of(row(name, 250, R"(, "p99/median": 1.5, "mean/median": 1.1, "frames": 990)"))),
       HasSubstr("| wall, 10,000, 10 % move | 250 µs | 1.1 | 1.5 | 990 |"));

@@ -18,20 +18,20 @@ bool Rebuild::begin_update(const BodyChanges& changes) {
   ++age_;
   if (holds_memory_ && (!may_prepare(changes) || !watch_.see(changes))) drop();
   if (stage_ != kAll) return false;
-  goes_on_ = !watch_.most_stay() && fat_boxes_.are_being_left(changes, static_cast<float>(next_lasts_));
+  may_begin_ = !watch_.most_stay() && fat_boxes_.are_being_left(changes, static_cast<float>(lasts_));
   fat_boxes_.use_prepared();
   return true;
 }
 
 std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped, const Cost& cost) {
   escaped_ += escaped;
-  if (lasts_ == 0 || stage_ == kAll || !may_prepare(changes)) return 0;
+  if (!may_begin_ || stage_ == kAll || !may_prepare(changes)) return 0;
   if (stage_ == kNothing && !begin(changes)) return 0;
   const double parts = lasts_ - 1;
   crew_.plan(static_cast<std::size_t>(static_cast<double>(changes.bodies) / parts), cost.seconds());
   const double before = fat_done_;
   try {
-    prepare_until(age_ / parts, changes);
+    prepare_until((age_ - begun_) / parts, changes);
   } catch (const TooManyPairs&) {
     drop();
     return 0;
@@ -40,14 +40,29 @@ std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped, cons
 }
 
 bool Rebuild::begin(const BodyChanges& changes) {
-  if (age_ != 1 || !search_.has_cells()) return false;
-  if (!fat_boxes_.are_being_left(changes, tuning::kAllAhead)) return false;
+  if (age_ % tuning::kAllAhead != 1 || !search_.has_cells()) return false;
+  begun_ = age_ - 1;
+  lasts_ = updates_for_next(changes);
+  if (lasts_ == 0) return false;
   watch_.begin(changes);
   shares_.begin();
   fat_boxes_.begin_prepared();
   holds_memory_ = true;
   stage_ = kBegun;
   return true;
+}
+
+// Where bodies creep, so that most stay in their fat boxes for long, half of that time: then that is not
+// known so well. 0: for longer than anybody looks ahead.
+std::uint32_t Rebuild::updates_for_next(const BodyChanges& changes) const {
+  const auto are_left_in = [&](std::uint32_t updates) {
+    return fat_boxes_.are_being_left(changes, static_cast<float>(updates));
+  };
+  if (are_left_in(tuning::kAllAhead)) return made_for_;
+  std::uint32_t updates = tuning::kAllAhead;
+  for (; updates <= tuning::kMostForNext; updates *= 2)
+    if (are_left_in(2 * updates)) return updates;
+  return 0;
 }
 
 /// Does a part of a stage, and notes what it took.
@@ -91,7 +106,7 @@ bool Rebuild::prepare_fat_boxes(double due, const BodyChanges& changes) {
     return static_cast<std::size_t>(share * static_cast<double>(changes.moved.size()));
   };
   const double share = shares_.due_of(kFatBoxes, due);
-  const auto ahead = static_cast<float>(lasts_ - age_) - 0.5F;
+  const auto ahead = static_cast<float>(begun_ + lasts_ - age_) - 0.5F;
   do_part(kFatBoxes, [&] {
     fat_boxes_.prepare(crew_, changes, {place_of(fat_done_), place_of(share)}, ahead,
                        static_cast<float>(next_lasts_));
@@ -109,7 +124,7 @@ bool Rebuild::prepare_cells(double due) {
 }
 
 void Rebuild::note_used(std::size_t bodies) {
-  lasts_ = goes_on_ ? next_lasts_ : 0;
+  made_for_ = next_lasts_;
   calm_ = escaped_ < bodies / tuning::kFewEscaped ? calm_ + 1 : 0;
   if (escaped_ > bodies / tuning::kManyEscaped) {
     next_lasts_ = std::max(next_lasts_ - 1, tuning::kLastsAtLeast);
@@ -125,11 +140,8 @@ void Rebuild::note_used(std::size_t bodies) {
 void Rebuild::note_full() {
   if (holds_memory_) drop();
   const bool are_first = age_ <= 1;
-  const bool lasted_usually = age_ > tuning::kLastsAtLeast && age_ <= 2 * tuning::kAllAhead;
-  lasts_ = 0;
-  if (are_first) lasts_ = tuning::kAllAhead;
-  if (lasted_usually) lasts_ = std::min(age_ - 1, tuning::kAllAhead);
-  next_lasts_ = lasts_;
+  may_begin_ = are_first || age_ > tuning::kLastsAtLeast;
+  made_for_ = next_lasts_ = are_first ? tuning::kAllAhead : std::min(age_ - 1, tuning::kAllAhead);
   patience_ = 1;
   calm_ = 0;
   begin_anew();

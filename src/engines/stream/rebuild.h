@@ -45,6 +45,7 @@ class Rebuild {
 
  private:
   [[gnu::cold]] bool begin(const BodyChanges& changes);
+  std::uint32_t updates_for_next(const BodyChanges& changes) const;
   template <class Work>
   void do_part(RebuildStage stage, const Work& work);
   void prepare_until(double due, const BodyChanges& changes);
@@ -60,13 +61,15 @@ class Rebuild {
   RebuildStage stage_ = kNothing;
   RebuildShares shares_;
   bool holds_memory_ = false;
-  bool goes_on_ = false;          // the next fat boxes were needed, or will be soon
+  bool may_begin_ = false;        // the next one, when most fat boxes are going to be left
   double fat_done_ = 0;           // the share of the next fat boxes that are made
   std::uint64_t copies_ = 0;      // boxes placed in the next cells,
   std::uint64_t built_ = 0;       // and so many of them in cells that are made
-  std::uint32_t age_ = 0;         // updates since the fat boxes in use were put in their place
-  std::uint32_t lasts_ = 0;       // after so many the next ones are; 0: nothing is prepared
-  std::uint32_t next_lasts_ = 0;  // after so many those that follow them
+  std::uint32_t age_ = 0;         // updates since the fat boxes in use were put in their place,
+  std::uint32_t begun_ = 0;       // and so many before the next ones were begun,
+  std::uint32_t lasts_ = 0;       // which takes so many
+  std::uint32_t made_for_ = 0;    // so many updates those in use were made for,
+  std::uint32_t next_lasts_ = 0;  // and the next ones will be
   std::size_t escaped_ = 0;       // bodies that left theirs since
   std::uint32_t calm_ = 0;        // so many times few did, one after the other,
   std::uint32_t patience_ = 1;    // of so many, after which they are made for more updates

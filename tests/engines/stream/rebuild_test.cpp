@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -58,6 +59,36 @@ TEST_P(RebuildTest, IsNotBegunWhereBodiesCreepAndFatBoxesLast) {
   EXPECT_TRUE(is_exact(engine, boxes));
   const std::uint64_t at_once = counter(engine, "full updates") * kBodies;
   EXPECT_LT(counter(engine, "fat boxes put into cells"), at_once + kBodies / 10) << "or a part at a time";
+}
+
+// All fat boxes are as old, and are left within few updates after many in which hardly anybody did.
+TEST_P(RebuildTest, IsDoneInTimeWhereBodiesCreep) {
+  constexpr std::size_t kMany = 3000;
+  for (const float speed : {1.0F / 300, 1.0F / 1000, 1.0F / 2000}) {
+    Courses courses(kMany, 3);
+    Broadphase engine = engine_of(courses);
+    std::vector<Aabb> boxes = courses.boxes();
+    Random random(8);
+    std::vector<std::array<float, 3>> steps(kMany);
+    for (std::size_t i = 0; i < kMany; ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        steps[i][axis] = random.between(-speed, speed) * (boxes[i].max[axis] - boxes[i].min[axis]);
+    }
+    std::uint64_t full = 0;
+    for (int frame = 0; frame < 200; ++frame) {
+      for (std::size_t i = 0; i < kMany; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          boxes[i].min[axis] += steps[i][axis];
+          boxes[i].max[axis] += steps[i][axis];
+        }
+      }
+      move_every(engine, boxes, 1);
+      ASSERT_TRUE(engine.update().ok());
+      if (frame == 60) full = counter(engine, "full updates");
+    }
+    EXPECT_TRUE(is_exact(engine, boxes));
+    EXPECT_LE(counter(engine, "full updates"), full + 1) << "at speed " << speed;
+  }
 }
 
 // Of the first updates some find everything anew at once.
