@@ -94,10 +94,7 @@ class Distribution {
     crew_.run([&](unsigned worker) { distribute(worker); });
   }
 
-  std::span<Key> bucket(std::size_t index) {
-    return scratch_.view().subspan(first_[index], first_[index + 1] - first_[index]);
-  }
-  std::size_t first(std::size_t index) const { return first_[index]; }
+  std::vector<std::size_t> begins() const { return {first_.begin(), first_.end()}; }
 
  private:
   template <class Visit>
@@ -175,27 +172,42 @@ SortedKeys sort_in_one_step(KeyParts parts, std::size_t total, Array<Key>& scrat
   return sort_in_ranges(keys, scratch.view().last(total), ranges);
 }
 
-template <class AnyPair>
-void sort_buckets(Crew& crew, Distribution& distribution, AnyPair* sorted) {
-  std::vector<Array<Key>> spares(crew.active());
-  crew.for_each(kBuckets, 8, [&](unsigned worker, std::size_t bucket) {
-    sort_bucket(distribution.bucket(bucket), spares[worker]).write(sorted + distribution.first(bucket));
-  });
+}  // namespace
+
+bool are_sorted_in_parts(std::size_t keys) {
+  return keys > kOneStep;
 }
 
-}  // namespace
+std::vector<std::size_t> distribute_pairs(Crew& crew, KeyParts parts, Array<Key>& scratch) {
+  Distribution distribution(crew, parts, scratch);
+  distribution.run(count_keys(parts));
+  return distribution.begins();
+}
+
+template <class AnyPair>
+void sort_buckets(Crew& crew, std::span<const std::size_t> begins, std::size_t first, std::size_t count,
+                  Array<Key>& scratch, Array<AnyPair>& sorted) {
+  std::vector<Array<Key>> spares(crew.active());
+  const std::span<Key> keys = scratch.view();
+  crew.for_each(count, 8, [&](unsigned worker, std::size_t i) {
+    const std::size_t begin = begins[first + i];
+    const auto bucket = keys.subspan(begin, begins[first + i + 1] - begin);
+    sort_bucket(bucket, spares[worker]).write(sorted.data() + begin);
+  });
+}
 
 template <class AnyPair>
 void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array<AnyPair>& sorted) {
   const std::size_t total = count_keys(parts);
   sorted.renew(total);
   if (total == 0) return;
-  if (total <= kOneStep) return sort_in_one_step(parts, total, scratch).write(sorted.data());
-  Distribution distribution(crew, parts, scratch);
-  distribution.run(total);
-  sort_buckets(crew, distribution, sorted.data());
+  if (!are_sorted_in_parts(total)) return sort_in_one_step(parts, total, scratch).write(sorted.data());
+  const std::vector<std::size_t> begins = distribute_pairs(crew, parts, scratch);
+  sort_buckets(crew, begins, 0, begins.size() - 1, scratch, sorted);
 }
 
+template void sort_buckets(Crew&, std::span<const std::size_t>, std::size_t, std::size_t,
+                           Array<std::uint64_t>&, Array<SlotPair>&);
 template void sort_pairs(Crew&, KeyParts, Array<std::uint64_t>&, Array<Pair>&);
 template void sort_pairs(Crew&, KeyParts, Array<std::uint64_t>&, Array<SlotPair>&);
 

@@ -88,11 +88,11 @@ void Rebuild::prepare_until(double due, const BodyChanges& changes) {
     stage_ = kFilled;
   }
   if (stage_ == kFilled && prepare_cells(due)) stage_ = kCells;
-  if (stage_ == kCells && shares_.is_due(kAll, due)) {
-    do_part(kAll, [&] {
-      overlaps_.prepare(search_.prepared().found());
-      overlaps_.sort_prepared();
-    });
+  if (stage_ == kCells && shares_.is_due(kDistributed, due)) {
+    do_part(kDistributed, [&] { overlaps_.prepare(search_.prepared().found()); });
+    stage_ = kDistributed;
+  }
+  if (stage_ == kDistributed && prepare_order(due)) {
     shares_.learn();
     stage_ = kAll;
   }
@@ -121,6 +121,14 @@ bool Rebuild::prepare_cells(double due) {
   CellTree& cells = search_.prepared();
   if (wanted > built_) do_part(kCells, [&] { built_ += cells.go_on(wanted - built_); });
   return cells.is_built();
+}
+
+// True when all candidates are in order, and it is time for them.
+bool Rebuild::prepare_order(double due) {
+  const double share = shares_.due_of(kAll, due);
+  bool is_done = false;
+  do_part(kAll, [&] { is_done = overlaps_.sort_prepared(share); });
+  return is_done && share == 1;
 }
 
 void Rebuild::note_used(std::size_t bodies) {

@@ -51,6 +51,7 @@ class Rebuild {
   void prepare_until(double due, const BodyChanges& changes);
   bool prepare_fat_boxes(double due, const BodyChanges& changes);
   bool prepare_cells(double due);
+  bool prepare_order(double due);
   void begin_anew();
 
   Crew& crew_;

@@ -10,7 +10,7 @@
 namespace cellsweep::stream {
 namespace {
 
-constexpr std::array kStages = {kFatBoxes, kListed, kFilled, kCells, kAll};
+constexpr std::array kStages = {kFatBoxes, kListed, kFilled, kCells, kDistributed, kAll};
 using Seconds = std::array<double, kStages.size()>;
 
 void learn(RebuildShares& shares, const Seconds& seconds, int times) {
@@ -31,7 +31,7 @@ double seconds_of(const RebuildShares& shares, const Seconds& seconds, double be
 
 TEST(RebuildShares, MakeEachUpdateDoAsMuch) {
   for (const Seconds& seconds :
-       {Seconds{1, 1, 1, 3, 1}, Seconds{4, 1, 2, 9, 3}, Seconds{0.1, 5, 5, 40, 20}}) {
+       {Seconds{1, 1, 1, 3, 1, 1}, Seconds{4, 1, 2, 9, 3, 3}, Seconds{0.1, 5, 5, 40, 10, 10}}) {
     RebuildShares shares;
     learn(shares, seconds, 50);
     const double all = seconds_of(shares, seconds, 0, 1);
@@ -46,8 +46,8 @@ TEST(RebuildShares, MakeEachUpdateDoAsMuch) {
 
 TEST(RebuildShares, HaveAllStagesDueInTheirOrderAndInTheEnd) {
   RebuildShares shares;
-  for (const Seconds& seconds : {Seconds{}, Seconds{0, 0, 0, 7, 0}, Seconds{0, 0, 0, 0, 7},
-                                 Seconds{1e9, 0, 0, 0, 0}, Seconds{1, 2, 3, 4, 5}}) {
+  for (const Seconds& seconds : {Seconds{}, Seconds{0, 0, 0, 7, 0, 0}, Seconds{0, 0, 0, 0, 7, 7},
+                                 Seconds{1e9, 0, 0, 0, 0, 0}, Seconds{1, 2, 3, 4, 5, 6}}) {
     learn(shares, seconds, 200);
     for (double due = 0; due <= 1; due += 0.01) {
       for (std::size_t i = 1; i < kStages.size(); ++i) {
@@ -65,7 +65,8 @@ TEST(RebuildShares, HaveAllStagesDueInTheirOrderAndInTheEnd) {
 }
 
 TEST(RebuildShares, LeaveNoUpdateWithMostOfTheCellsWhateverTheClockSays) {
-  for (const Seconds& seconds : {Seconds{1, 1, 1, 0, 1}, Seconds{0, 0, 0, 1, 0}, Seconds{1e9, 0, 0, 0, 0}}) {
+  for (const Seconds& seconds :
+       {Seconds{1, 1, 1, 0, 1, 1}, Seconds{0, 0, 0, 1, 0, 0}, Seconds{1e9, 0, 0, 0, 0}}) {
     RebuildShares shares;
     learn(shares, seconds, 20);
     for (double due = 0.25; due <= 1; due += 0.05)
@@ -75,8 +76,8 @@ TEST(RebuildShares, LeaveNoUpdateWithMostOfTheCellsWhateverTheClockSays) {
 
 // As where the system took the core away for some milliseconds.
 TEST(RebuildShares, AreHardlyMovedByOneStageThatTookVeryLong) {
-  constexpr Seconds kUsual = {2, 1, 1, 4, 2};
-  constexpr Seconds kOnce = {2, 1000, 1, 4, 2};
+  constexpr Seconds kUsual = {2, 1, 1, 4, 1, 1};
+  constexpr Seconds kOnce = {2, 1000, 1, 4, 1, 1};
   RebuildShares shares;
   learn(shares, kUsual, 50);
   learn(shares, kOnce, 1);
@@ -85,7 +86,7 @@ TEST(RebuildShares, AreHardlyMovedByOneStageThatTookVeryLong) {
 }
 
 TEST(RebuildShares, ForgetWhatWasGivenUp) {
-  constexpr Seconds kUsual = {2, 1, 1, 4, 2};
+  constexpr Seconds kUsual = {2, 1, 1, 4, 1, 1};
   RebuildShares shares;
   learn(shares, kUsual, 50);
   shares.begin();

@@ -55,6 +55,7 @@ SlotPair* list_changed(std::span<const SlotPair> pairs, const std::uint8_t* chan
 }  // namespace
 
 std::span<const SlotPair> CandidateList::pairs(Crew& crew) {
+  sort_until(crew, 1);
   if (!found_.empty()) {
     sort_pairs(crew, found_, keys_, pairs_);
     found_.clear();
@@ -75,7 +76,31 @@ std::span<const SlotPair> CandidateList::take(Crew& crew) {
   return std::as_const(spare_).view();
 }
 
+void CandidateList::begin_sort(Crew& crew) {
+  if (!are_sorted_in_parts(size_)) {
+    pairs(crew);
+    return;
+  }
+  pairs_.renew(size_);
+  buckets_ = distribute_pairs(crew, found_, keys_);
+  buckets_sorted_ = 0;
+  found_.clear();
+}
+
+bool CandidateList::sort_until(Crew& crew, double share) {
+  if (buckets_.empty()) return true;
+  const std::size_t all = buckets_.size() - 1;
+  const auto due = static_cast<std::size_t>(share * static_cast<double>(all));
+  if (due > buckets_sorted_) {
+    sort_buckets(crew, buckets_, buckets_sorted_, due - buckets_sorted_, keys_, pairs_);
+    buckets_sorted_ = due;
+  }
+  if (buckets_sorted_ == all) buckets_.clear();
+  return buckets_.empty();
+}
+
 void CandidateList::replace(KeyParts found) {
+  buckets_.clear();
   found_.assign(found.begin(), found.end());
   notes_.clear();
   size_ = count_keys(found);

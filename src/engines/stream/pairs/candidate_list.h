@@ -33,6 +33,12 @@ class CandidateList {
   /// After replace(), while nobody asked for pairs(): what it was given.
   KeyParts found() const { return found_; }
 
+  /// After replace(): sorts them a part at a time. begin_sort() takes a third of all that it takes, or does
+  /// all of it where they are few; then sort_until() goes on until a share, 0 to 1, of the rest is done. True
+  /// when all is. The keys may go after begin_sort().
+  void begin_sort(Crew& crew);
+  bool sort_until(Crew& crew, double share);
+
   /// Some bodies changed, those whose entry in `changed`, by slot, is not 0: their pairs are now those of
   /// `touched`, in any order, each once. Returns what began and ended by that.
   SlotPairChanges change(Crew& crew, KeyParts touched, const std::uint8_t* changed);
@@ -60,7 +66,9 @@ class CandidateList {
   void list_pairs_of(Crew& crew, const std::uint8_t* changed, Array<SlotPair>& listed) const;
 
   std::vector<std::span<const std::uint64_t>> found_;  // the pairs, when they have not been sorted yet
-  List<PairNote> notes_;  // what pairs_ does not know yet, in the order in which it came
+  std::vector<std::size_t> buckets_;  // where those of keys_ begin, while these are being sorted,
+  std::size_t buckets_sorted_ = 0;    // and so many of them are
+  List<PairNote> notes_;              // what pairs_ does not know yet, in the order in which it came
   Array<SlotPair> pairs_;
   Array<SlotPair> spare_;  // room for the next
   Array<SlotPair> began_;

@@ -39,10 +39,14 @@ class Overlaps {
   bool are_in_order(const BodyChanges& changes) const;
   void put_in_order() { list_.pairs(crew_); }
 
-  /// Candidates for later, those of `found`; they are sorted by sort_prepared(). Between set_aside() and
-  /// compare(), use_prepared() puts them in the place of those that there are.
-  void prepare(KeyParts found) { prepared_.replace(found); }
-  void sort_prepared() { prepared_.pairs(crew_); }
+  /// Candidates for later, those of `found`, in buckets; sort_prepared() sorts them until a share, 0 to 1, is
+  /// in order, and returns whether all is. Between set_aside() and compare(), use_prepared() puts them in the
+  /// place of those that there are.
+  void prepare(KeyParts found) {
+    prepared_.replace(found);
+    prepared_.begin_sort(crew_);
+  }
+  bool sort_prepared(double share) { return prepared_.sort_until(crew_, share); }
   void use_prepared() { std::swap(list_, prepared_); }
   /// Forgets them, and their memory.
   void drop_prepared() { prepared_ = {}; }

@@ -76,6 +76,50 @@ TEST_P(CandidateListTest, IsAscendingInWhicheverOrderPairsWereFound) {
   EXPECT_EQ(list_.size(), 4U);
 }
 
+/// So many pairs of as many bodies and some more, no two the same, the last ones first.
+Parts many_pairs(Slot count) {
+  Parts found(2);
+  for (Slot i = count; i-- > 0;) found.add(i % 2, {i, i + 1 + i % 5});
+  return found;
+}
+
+TEST_P(CandidateListTest, IsSortedAPartAtATime) {
+  constexpr Slot kFew = 100, kMany = 100'000;
+  for (const Slot count : {kFew, kMany}) {
+    std::vector<SlotPair> ascending;
+    for (Slot i = 0; i < count; ++i) ascending.push_back({i, i + 1 + i % 5});
+    Parts found = many_pairs(count);
+    for (const int parts : {1, 3, 7}) {
+      list_.replace(found.view());
+      list_.begin_sort(crew_);
+      EXPECT_EQ(list_.sort_until(crew_, 0), count == kFew);
+      for (int part = 1; part < parts; ++part)
+        EXPECT_EQ(list_.sort_until(crew_, 1.0 * part / parts), count == kFew) << part;
+      EXPECT_TRUE(list_.sort_until(crew_, 1));
+      EXPECT_EQ(list_.size(), count);
+      ASSERT_TRUE(std::ranges::equal(list_.pairs(crew_), ascending));
+    }
+  }
+}
+
+TEST_P(CandidateListTest, IsWholeWhoeverAsksBeforeAllPartsAreSorted) {
+  constexpr Slot kMany = 100'000;
+  Parts found = many_pairs(kMany);
+  for (const double share : {0.0, 0.3}) {
+    list_.replace(found.view());
+    list_.begin_sort(crew_);
+    list_.sort_until(crew_, share);
+    EXPECT_EQ(list_.pairs(crew_).size(), kMany);
+    EXPECT_TRUE(
+        std::ranges::is_sorted(list_.pairs(crew_), {}, [](const SlotPair& pair) { return pair_key(pair); }));
+  }
+  list_.replace(found.view());
+  list_.begin_sort(crew_);
+  Parts few{{1, 2}, {0, 3}};
+  list_.replace(few.view());
+  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{0, 3}, SlotPair{1, 2}));
+}
+
 TEST_P(CandidateListTest, IsReplacedByWhatIsFoundAnew) {
   Parts first{{1, 2}, {3, 4}};
   list_.replace(first.view());
