@@ -15,7 +15,7 @@ double RebuildShares::due_of(RebuildStage stage, double due) const {
 // compared, and all stages get some.
 void RebuildShares::learn() {
   constexpr double kLeast = 0.01;
-  constexpr double kLeastOfCells = 0.38;
+  constexpr double kLeastOfCells = 0.4;
   constexpr double kMost = 0.9;
   constexpr double kMoreAtMost = 0.1;
   const double all = std::accumulate(seconds_.begin(), seconds_.end(), 0.0);
