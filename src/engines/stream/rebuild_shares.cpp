@@ -11,11 +11,11 @@ double RebuildShares::due_of(RebuildStage stage, double due) const {
 }
 
 // Half of what is learnt is new. A stage in which the system took the core away counts for little more than
-// before. Whatever the clock says, no update gets much more than its part of the cells, in which boxes are
-// compared, and all stages get some.
+// before. Whatever the clock says, no update of three compares more boxes than two thirds of all cells have,
+// and all stages get some.
 void RebuildShares::learn() {
   constexpr double kLeast = 0.01;
-  constexpr double kLeastOfCells = 0.4;
+  constexpr double kLeastOfCells = 0.5;
   constexpr double kMost = 0.9;
   constexpr double kMoreAtMost = 0.1;
   const double all = std::accumulate(seconds_.begin(), seconds_.end(), 0.0);
@@ -23,9 +23,9 @@ void RebuildShares::learn() {
   Stages shares{};
   for (int stage = kFatBoxes; stage <= kAll; ++stage) {
     const double before = done_[stage] - done_[stage - 1];
+    const double most = std::min(before + kMoreAtMost, kMost);
     const double least = stage == kCells ? kLeastOfCells : kLeast;
-    shares[stage] =
-        std::clamp((before + seconds_[stage] / all) / 2, least, std::min(before + kMoreAtMost, kMost));
+    shares[stage] = std::max(std::min((before + seconds_[stage] / all) / 2, most), least);
   }
   const double of_others = std::accumulate(shares.begin(), shares.end(), -shares[kCells]);
   for (int stage = kFatBoxes; stage <= kAll; ++stage)

@@ -31,7 +31,7 @@ double seconds_of(const RebuildShares& shares, const Seconds& seconds, double be
 
 TEST(RebuildShares, MakeEachUpdateDoAsMuch) {
   for (const Seconds& seconds :
-       {Seconds{1, 1, 1, 3, 1, 1}, Seconds{4, 1, 2, 9, 3, 3}, Seconds{0.1, 5, 5, 40, 10, 10}}) {
+       {Seconds{1, 1, 1, 8, 1, 1}, Seconds{4, 1, 2, 14, 3, 3}, Seconds{0.1, 5, 5, 40, 10, 10}}) {
     RebuildShares shares;
     learn(shares, seconds, 50);
     const double all = seconds_of(shares, seconds, 0, 1);
@@ -70,29 +70,29 @@ TEST(RebuildShares, LeaveNoUpdateWithMostOfTheCellsWhateverTheClockSays) {
     RebuildShares shares;
     learn(shares, seconds, 20);
     for (double due = 0.25; due <= 1; due += 0.05)
-      EXPECT_LT(shares.due_of(kCells, due) - shares.due_of(kCells, due - 0.25), 0.65);
+      EXPECT_LT(shares.due_of(kCells, due) - shares.due_of(kCells, due - 0.25), 0.55);
   }
 }
 
 // As where the system took the core away for some milliseconds.
 TEST(RebuildShares, AreHardlyMovedByOneStageThatTookVeryLong) {
-  constexpr Seconds kUsual = {2, 1, 1, 4, 1, 1};
-  constexpr Seconds kOnce = {2, 1000, 1, 4, 1, 1};
+  constexpr Seconds kUsual = {2, 1, 1, 6, 1, 1};
+  constexpr Seconds kOnce = {2, 1000, 1, 6, 1, 1};
   RebuildShares shares;
   learn(shares, kUsual, 50);
   learn(shares, kOnce, 1);
-  EXPECT_LT(seconds_of(shares, kUsual, 0, 0.5), 7.5);
-  EXPECT_GT(seconds_of(shares, kUsual, 0, 0.5), 2.5);
+  EXPECT_LT(seconds_of(shares, kUsual, 0, 0.5), 9);
+  EXPECT_GT(seconds_of(shares, kUsual, 0, 0.5), 3);
 }
 
 TEST(RebuildShares, ForgetWhatWasGivenUp) {
-  constexpr Seconds kUsual = {2, 1, 1, 4, 1, 1};
+  constexpr Seconds kUsual = {2, 1, 1, 6, 1, 1};
   RebuildShares shares;
   learn(shares, kUsual, 50);
   shares.begin();
   shares.note(kFatBoxes, 1e6);
   learn(shares, kUsual, 1);
-  EXPECT_NEAR(seconds_of(shares, kUsual, 0, 0.5), 5, 0.1);
+  EXPECT_NEAR(seconds_of(shares, kUsual, 0, 0.5), 6, 0.1);
 }
 
 }  // namespace
