@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "engines/stream/cells/cell_tree.h"
 #include "queries/layer_way.h"
 #include "queries/rows.h"
 
