@@ -21,13 +21,7 @@ class CellPath {
     looks_ = world_.boxes().size();
     for_each_row(world_.boxes(), [&](const BoxRow& row, Slot first) {
       const std::uint32_t found = kernels_.cast(row, taker_.numbers(), places_.data());
-      std::uint32_t kept = 0;
-      for (std::uint32_t i = 0; i < found; ++i) {
-        const Slot slot = first + places_[i];
-        places_[kept] = slot;
-        kept += world_.is_seen(slot) ? 1 : 0;
-      }
-      return give_slots(kept);
+      return give_slots(keep_seen(world_, first, places_, found));
     });
   }
 

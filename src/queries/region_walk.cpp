@@ -32,13 +32,7 @@ class RegionWalk {
   bool scan(const World& world) {
     return for_each_row(world.boxes(), [&](const BoxRow& row, Slot first) {
       const std::uint32_t found = overlap_(row, box_, places_.data());
-      std::uint32_t kept = 0;
-      for (std::uint32_t i = 0; i < found; ++i) {
-        const Slot slot = first + places_[i];
-        places_[kept] = slot;
-        kept += world.is_seen(slot) ? 1 : 0;
-      }
-      return give(kept);
+      return give(keep_seen(world, first, places_, found));
     });
   }
 

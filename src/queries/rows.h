@@ -23,6 +23,18 @@ inline Candidate candidate_of(const TreeNode& node, std::size_t place) {
 using Places = std::array<std::uint32_t, kRowBoxes + kMostLanes>;
 using Keys = std::array<std::uint64_t, kRowBoxes + kMostLanes>;
 
+/// Makes places in a row of boxes by slot, `first` being that of the row's first box, slots; without bodies
+/// that the last update did not see. Returns how many are left.
+inline std::uint32_t keep_seen(const World& world, Slot first, Places& places, std::uint32_t found) {
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < found; ++i) {
+    const Slot slot = first + places[i];
+    places[kept] = slot;
+    kept += world.is_seen(slot) ? 1 : 0;
+  }
+  return kept;
+}
+
 /// Calls `look(row, first)` for the boxes of a cell, `first` being the place of the row's first box, until it
 /// returns false; then returns false.
 template <class Look>

@@ -39,6 +39,7 @@ std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped, cons
   return static_cast<std::size_t>((fat_done_ - before) * static_cast<double>(changes.moved.size()));
 }
 
+// At once, or, while fat boxes last, at every look.
 bool Rebuild::begin(const BodyChanges& changes) {
   if (age_ % tuning::kAllAhead != 1 || !search_.has_cells()) return false;
   begun_ = age_ - 1;
