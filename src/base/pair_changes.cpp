@@ -92,10 +92,15 @@ bool are_four_alike(std::span<const AnyPair> one, std::size_t i, std::span<const
   return differ == 0;
 }
 
+/// All bits of a note's place.
+constexpr std::uint64_t kPlaces = ~std::uint64_t{0} >> 1;
+
 // The order in which they came stays where the pair is the same.
 void sort_by_pairs(std::span<PairNote> notes) {
-  std::stable_sort(notes.begin(), notes.end(),
-                   [](const PairNote& one, const PairNote& other) { return one.key < other.key; });
+  for (std::size_t i = 0; i < notes.size(); ++i) notes[i].place = i & kPlaces;
+  std::sort(notes.begin(), notes.end(), [](const PairNote& one, const PairNote& other) {
+    return one.key < other.key || (one.key == other.key && one.place < other.place);
+  });
 }
 
 }  // namespace
@@ -173,7 +178,7 @@ void apply_notes(std::span<const AnyPair> old, std::span<PairNote> notes, Array<
     if (!is_last) continue;
     copy.until(notes[i].key);
     copy.leave_out(notes[i].key);
-    if (notes[i].is_there) copy.put(pair_of<AnyPair>(notes[i].key));
+    if (notes[i].is_there != 0) copy.put(pair_of<AnyPair>(notes[i].key));
   }
   now.shrink(static_cast<std::size_t>(copy.finish() - now.data()));
 }

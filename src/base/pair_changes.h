@@ -16,7 +16,8 @@ namespace cellsweep {
 /// A change that waits: from then on the pair is in the list, or is not.
 struct PairNote {
   std::uint64_t key = 0;  ///< pair_key()
-  bool is_there = false;
+  std::uint64_t is_there : 1 = 0;
+  std::uint64_t place : 63 = 0;  ///< in the order in which they came, from when they are sorted
 };
 
 // `AnyPair` is Pair or SlotPair. Lists are ascending.
