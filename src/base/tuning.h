@@ -280,12 +280,31 @@ inline constexpr std::size_t kCopies = 8;
 /// one thread, roughly. EPYC, uniform 10,000, small boxes.
 inline constexpr std::size_t kQuestionsOfPart = 64;
 inline constexpr double kQuestionGuess = 300e-9;
-/// A tree of the boxes is made once questions have looked at so many boxes for each body, and for so many
-/// bodies more: about as long as it takes to make it. Xeon, uniform 1,000 to 1,000,000.
-inline constexpr std::uint64_t kTreePrice = 400;
+/// Questions without a tree of the boxes take longer than in one by a nanosecond for each box or cell that
+/// they look at, but for the first ones. EPYC, 1,000 to 100,000 bodies: rays, ways and what is nearest,
+/// through the cells; with more bodies, and in `clustered`, it is more.
+inline constexpr std::uint64_t kLooksInTree = 8;
+/// A tree is made once questions have looked at so many boxes for each body, and for so many bodies more.
+inline constexpr std::uint64_t kTreePrice = 240;
 inline constexpr std::uint64_t kFewestPaidFor = 256;
-/// So many looks a question in a tree takes as long as.
-inline constexpr std::uint64_t kLooksInTree = 64;
+/// What it takes to bring a tree up to date, in looks: for each body that changed; or for each of all, when
+/// more than one in so many did. EPYC, 10,000 and 100,000 bodies: nanoseconds.
+inline constexpr std::uint64_t kTreeChangePrice = 30;
+inline constexpr std::uint64_t kTreeUpdatePrice = 4;
+inline constexpr std::size_t kFewChangesOfTree = 4;
+/// Where questions paid for it in the update before they will again, most likely: a part of its price will
+/// do.
+inline constexpr std::uint64_t kPartOfPrice = 4;
+/// How much further the nodes of a tree reach, in all, before it is made anew: one that to be brought up to
+/// date has cost as much as another one, and one that has not.
+inline constexpr double kWornTree = 1.25;
+inline constexpr double kWornOutTree = 1.5;
+/// A tree for which questions had saved over more updates than these, and which wore out before it paid off,
+/// doubles the price of the next one, so many times at most.
+inline constexpr unsigned kUpdatesToSave = 3;
+inline constexpr unsigned kMostDoubled = 5;
+/// Updates in which questions did not pay for the tree before it is given up: chosen, not measured.
+inline constexpr unsigned kMostUnasked = 64;
 /// So many and more are answered in the order of the cells in which they begin: 4,096 rays take half as long
 /// then. EPYC, uniform 10,000 to 1,000,000. Where it begins to pay was not measured.
 inline constexpr std::size_t kQuestionsSorted = 256;

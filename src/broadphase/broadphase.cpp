@@ -115,21 +115,19 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   }
 
  private:
-  /// Takes the changes out of the boxes again, unless they are to stay.
+  /// Puts the changes into the boxes, and takes them out again unless they are to stay.
   class Attempt {
    public:
-    explicit Attempt(Impl& impl) : impl_(impl), changes_(impl.bodies_.begin_update()) {}
+    explicit Attempt(Impl& impl) : impl_(impl) { impl.changes_ = impl.bodies_.begin_update(); }
     Attempt(const Attempt&) = delete;
     Attempt& operator=(const Attempt&) = delete;
     ~Attempt() {
       if (!succeeded_) impl_.abandon_update();
     }
-    const BodyChanges& changes() const { return changes_; }
     void succeed() { succeeded_ = true; }
 
    private:
     Impl& impl_;
-    BodyChanges changes_;
     bool succeeded_ = false;
   };
 
@@ -146,6 +144,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   std::unique_ptr<Engine> engine_;
   bool engine_is_lost_ = false;   // after a failure; the next update makes a new one
   bool nothing_changed_ = false;  // as prepare() found
+  BodyChanges changes_{};         // of the update that is being made
   ProcessMark process_;           // the engine's, whose threads may not be in another one
   Capacity capacity_;
   Crew& crew_ = *parts_.crew;
@@ -170,9 +169,9 @@ Result<PairChanges> Broadphase::Impl::prepare() {
   }
   Attempt attempt(*this);
   statistics_.bytes = 0;
-  const auto found = engine_->update(anew ? bodies_.all_as_new() : attempt.changes(), statistics_);
+  const auto found = engine_->update(anew ? bodies_.all_as_new() : changes_, statistics_);
   if (!found) return found.status();
-  nothing_changed_ = !anew && attempt.changes().none() && found->none();
+  nothing_changed_ = !anew && changes_.none() && found->none();
   if (nothing_changed_) {
     attempt.succeed();
     return PairChanges();
@@ -184,13 +183,13 @@ Result<PairChanges> Broadphase::Impl::prepare() {
 }
 
 void Broadphase::Impl::commit() {
+  if (!nothing_changed_) kept_tree_.note(changes_);
   bodies_.commit();
   ++statistics_.updates;
   if (nothing_changed_) {
     statistics_.bytes += bytes_;
     return pairs_.commit_nothing();
   }
-  kept_tree_.drop();
   engine_is_lost_ = false;
   pairs_.commit();
   bytes_ = bodies_.bytes() + filter_.bytes() + order_.bytes() + pairs_.bytes();
@@ -216,7 +215,9 @@ void Broadphase::Impl::name_changes(const FoundPairs& unfiltered) {
 // Memory comes back where most bodies have gone. There is time for it later, too.
 void Broadphase::Impl::tidy() {
   try {
-    if (bodies_.tidy()) engine_is_lost_ = true;
+    if (!bodies_.tidy()) return;
+    engine_is_lost_ = true;
+    kept_tree_.drop();
   } catch (const std::bad_alloc&) {
   }
 }

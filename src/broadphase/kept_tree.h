@@ -1,18 +1,27 @@
 /// @file
-/// The tree that queries keep with a Broadphase from when it pays until its bodies change.
+/// The tree that queries keep with a Broadphase from when it pays, and what has changed since it was right.
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+
+#include "base/memory/list.h"
+#include "broadphase/tree_account.h"
+#include "cellsweep/engine/slots.h"
 
 namespace cellsweep {
+
+struct BodyChanges;
 
 namespace queries {
 class BoxTree;
 }  // namespace queries
 
-/// Looking at boxes one by one is what a query pays; who pays the price of a tree makes it. Nobody needs to
-/// wait: others go on without. From any number of threads, but for drop().
+/// Who pays the price of a tree makes it; and when bodies have changed, then who pays the price of bringing
+/// it up to date does that. Nobody needs to wait: others go on without. From any number of threads, but for
+/// note() and drop().
 class KeptTree {
  public:
   KeptTree() = default;
@@ -20,33 +29,46 @@ class KeptTree {
   KeptTree& operator=(const KeptTree&) = delete;
   ~KeptTree() { drop(); }
 
-  /// Null: there is none yet.
-  const queries::BoxTree* get() const { return tree_.load(std::memory_order_acquire); }
+  /// As of the last update; null: there is none, or not yet.
+  const queries::BoxTree* get() const { return current_.load(std::memory_order_acquire); }
+  TreeAccount& account() { return account_; }
 
-  /// Whether the price is paid now.
-  bool pay(std::uint64_t looks, std::uint64_t price) {
-    return paid_.fetch_add(looks, std::memory_order_relaxed) + looks >= price;
-  }
-
-  /// Whether the caller is to make the tree, and then call keep() or give_up(): one at a time.
+  /// Whether the caller is to bring the tree up to date or to make one, and then call keep() or give_up():
+  /// one at a time.
   bool begin() { return !is_being_made_.test_and_set(std::memory_order_acquire); }
-  void keep(const queries::BoxTree* tree, void (*destroy)(const queries::BoxTree*)) {
-    destroy_ = destroy;
-    tree_.store(tree, std::memory_order_release);
-  }
-  void give_up() {
-    paid_.store(0, std::memory_order_relaxed);
-    is_being_made_.clear(std::memory_order_release);
-  }
 
-  /// While nobody asks: what was paid is forgotten, too.
+  /// The tree that is not up to date, for who has begun; null: there is none. The slots whose bodies came,
+  /// went or moved since, some twice; or all may have.
+  queries::BoxTree* outdated() { return tree_; }
+  std::span<const Slot> changed() const { return changed_.view(); }
+  bool all_may_have_changed() const { return all_may_have_changed_; }
+
+  /// It is up to date, whether it is the outdated one, or another one, which is given to be kept. When
+  /// std::bad_alloc is thrown it was not.
+  void keep();
+  void keep(queries::BoxTree* tree, void (*destroy)(const queries::BoxTree*), std::size_t bodies);
+  /// There is no tree any more.
+  void give_up();
+
+  /// An update. While nobody asks.
+  void note(const BodyChanges& changes);
+  /// As give_up(), while nobody asks.
   void drop();
 
  private:
-  std::atomic<const queries::BoxTree*> tree_ = nullptr;
-  std::atomic<std::uint64_t> paid_ = 0;
+  void destroy_tree();
+  void note_for_tree(const BodyChanges& changes);
+  void show_tree();
+
+  std::atomic<const queries::BoxTree*> current_ = nullptr;  // null or tree_
   std::atomic_flag is_being_made_;
+  queries::BoxTree* tree_ = nullptr;
   void (*destroy_)(const queries::BoxTree*) = nullptr;
+  List<Slot> changed_;  // has room for room_
+  std::size_t room_ = 0;
+  bool all_may_have_changed_ = false;
+  unsigned unasked_ = 0;  // updates since the tree was right
+  TreeAccount account_;
 };
 
 }  // namespace cellsweep

@@ -8,6 +8,7 @@
 #include "broadphase/last_update.h"
 #include "cellsweep/query.h"
 #include "queries/kernels/kernel.h"
+#include "queries/tree/box_tree.h"
 
 namespace cellsweep::queries {
 
@@ -36,6 +37,8 @@ class World {
   bool is_seen(Slot slot) const { return states_[slot] != kInserted; }
   BodyId id(Slot slot) const { return ids_[slot]; }
   BodyFilter filter(Slot slot) const { return filter_of(filters_, slot); }
+
+  BodyBoxes bodies() const { return {boxes_, states_}; }
 
   /// The cells, which hold those whom the last update saw; null: there are none.
   const stream::Node* root() const { return root_; }

@@ -48,6 +48,30 @@ TEST(Readers, EightThreadsGetTheAnswersOfOne) {
   EXPECT_TRUE(world.broadphase.update().ok());
 }
 
+// One of them brings the tree up to date, whoever it is.
+TEST(Readers, EightThreadsGetTheAnswersOfOneAfterEachUpdate) {
+  FilledWorld world(500);
+  world.broadphase.queries().prepare();
+  for (std::uint64_t round = 0; round < 12; ++round) {
+    std::uint64_t left = round % 3 == 2 ? 400 : 5;
+    for (auto& [body, box] : world.truth.boxes) {
+      if (left-- == 0) break;
+      box.max[0] += 0.25F;
+      ASSERT_TRUE(world.broadphase.move(body, box).ok());
+    }
+    ASSERT_TRUE(world.broadphase.update().ok());
+    std::atomic<int> wrong = 0;
+    std::vector<std::thread> readers;
+    for (std::uint64_t reader = 0; reader < 8; ++reader) {
+      readers.emplace_back([&world, &wrong, seed = 10 * reader + round] {
+        if (!answers_are_right(world.broadphase.queries(), world.truth, seed)) ++wrong;
+      });
+    }
+    for (std::thread& reader : readers) reader.join();
+    ASSERT_EQ(wrong, 0);
+  }
+}
+
 TEST(Readers, WhatAPredicateThrowsLeavesTheQueryAndNothingElseHappens) {
   FilledWorld world(3000);
   const Queries queries = world.broadphase.queries();

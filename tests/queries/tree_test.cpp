@@ -1,75 +1,23 @@
 /// @file
-/// The tree of boxes: whole and shallow for any boxes; made when questions have paid for it, or asked for;
-/// gone when bodies change.
+/// The tree of boxes: whole and shallow for any boxes; made, and brought up to date after bodies have
+/// changed, when questions have paid for it, or asked for.
 #include "queries/tree/box_tree.h"
-
-#include <cfloat>
 
 #include "base/memory/starved.h"
 #include "contract/box_kinds.h"
 #include "contract/effort.h"
 #include "queries/random_questions.h"
 #include "queries/tree/tree_price.h"
+#include "queries/tree_check.h"
 
 namespace cellsweep::queries {
 namespace {
 
 using contract::Random;
 
-/// Walks through all of a tree.
-class TreeCheck {
- public:
-  TreeCheck(const BoxTree& tree, std::span<const Aabb> boxes) : tree_(tree), boxes_(boxes) {
-    times_.assign(boxes.size(), 0);
-    check(0, 1);
-  }
-
-  const std::vector<int>& times() const { return times_; }
-  std::size_t nodes() const { return nodes_; }
-  unsigned depth() const { return depth_; }
-
- private:
-  static Aabb box_in(const TreeNode& node, unsigned place) {
-    Aabb box;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.min[axis] = node.faces[axis][place];
-      box.max[axis] = node.faces[axis + 3][place];
-    }
-    return box;
-  }
-
-  // Returns the box around the node.
-  Aabb check(std::uint32_t number, unsigned depth) {
-    ++nodes_;
-    depth_ = std::max(depth_, depth);
-    const TreeNode& node = tree_.nodes()[number];
-    Aabb around = {{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
-    for (unsigned place = 0; place < TreeNode::kBoxes; ++place) {
-      const Aabb box = box_in(node, place);
-      if (!(box.min[0] <= box.max[0])) continue;
-      if ((node.bodies >> place & 1) != 0) {
-        ++times_[node.content[place]];
-        EXPECT_EQ(box, boxes_[node.content[place]]);
-      } else {
-        EXPECT_EQ(box, check(node.content[place], depth + 1));
-      }
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        around.min[axis] = std::min(around.min[axis], box.min[axis]);
-        around.max[axis] = std::max(around.max[axis], box.max[axis]);
-      }
-    }
-    return around;
-  }
-
-  const BoxTree& tree_;
-  std::span<const Aabb> boxes_;
-  std::vector<int> times_;
-  std::size_t nodes_ = 0;
-  unsigned depth_ = 0;
-};
-
-void expect_whole_and_shallow(const std::vector<Aabb>& boxes) {
-  const BoxTree tree(boxes, [](Slot slot) { return slot % 7 != 3; });
+void expect_whole_and_shallow(std::vector<Aabb> boxes) {
+  for (std::size_t i = 3; i < boxes.size(); i += 7) boxes[i] = kNobody;
+  const BoxTree tree({boxes});
   const TreeCheck check(tree, boxes);
   for (std::size_t i = 0; i < boxes.size(); ++i) ASSERT_EQ(check.times()[i], i % 7 != 3 ? 1 : 0) << i;
   EXPECT_EQ(check.nodes(), tree.size());
@@ -98,7 +46,7 @@ TEST(BoxTree, FillsItsNodesWhateverTheBoxes) {
       Random random(count + 1);
       std::vector<Aabb> boxes = contract::make_boxes(kind, random, count);
       for (Aabb& box : boxes) box = contract::canonical_box(box);
-      const BoxTree tree(boxes, [](Slot) { return true; });
+      const BoxTree tree({boxes});
       EXPECT_LE(8 * tree.size(), count);
     }
   }
@@ -125,18 +73,13 @@ TEST(BoxTree, IsShallowWhereEachCutTakesOffLittle) {
 /// A row of boxes, in any engine.
 class Row {
  public:
-  explicit Row(std::size_t count = 300) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto at = static_cast<float>(3 * i);
-      truth_.boxes[static_cast<BodyId>(i)] = {{at, 0, 0}, {at + 1, 1, 1}};
-      EXPECT_TRUE(broadphase_.insert(static_cast<BodyId>(i), {{at, 0, 0}, {at + 1, 1, 1}}).ok());
-    }
-    EXPECT_TRUE(broadphase_.update().ok());
-  }
+  explicit Row(std::size_t count = 300) { insert(count); }
 
   Broadphase& broadphase() { return broadphase_; }
   Queries queries() const { return broadphase_.queries(); }
-  bool has_tree() const { return EngineAccess::last_update(broadphase_).tree.get() != nullptr; }
+  bool has_tree() const { return tree().get() != nullptr; }
+  bool keeps_tree() const { return tree().outdated() != nullptr; }
+  double wear() const { return tree().get()->wear(); }
   bool answers_are_right(std::uint64_t seed) const {
     return static_cast<bool>(queries::answers_are_right(queries(), truth_, seed));
   }
@@ -144,15 +87,58 @@ class Row {
   /// Along the whole row, so many times.
   void ask(int times) const {
     std::vector<Touch> found;
-    for (int i = 0; i < times; ++i) {
+    for (int i = 0; i < times; ++i)
       ASSERT_TRUE(queries().find_touches(Ray{{-1, 0.5F, 0.5F}, {1, 0, 0}}, found).ok());
-      ASSERT_EQ(found.size(), truth_.boxes.size());
+  }
+
+  /// Behind the others.
+  void insert(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto at = static_cast<float>(3 * next_);
+      truth_.boxes[next_] = {{at, 0, 0}, {at + 1, 1, 1}};
+      ASSERT_TRUE(broadphase_.insert(next_, truth_.boxes[next_]).ok());
+      ++next_;
     }
+    update();
+  }
+  /// The first ones.
+  void remove(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_TRUE(broadphase_.remove(truth_.boxes.begin()->first).ok());
+      truth_.boxes.erase(truth_.boxes.begin());
+    }
+    update();
+  }
+  void move(BodyId body, const Aabb& box) {
+    truth_.boxes[body] = box;
+    ASSERT_TRUE(broadphase_.move(body, box).ok());
+    update();
+  }
+  void move_all(float way) {
+    for (auto& [body, box] : truth_.boxes) {
+      box.max[1] += way;
+      ASSERT_TRUE(broadphase_.move(body, box).ok());
+    }
+    update();
+  }
+  /// Of some bodies.
+  void swap_places(std::uint64_t seed) {
+    Random random(seed);
+    for (int i = 0; i < 30; ++i) {
+      Aabb& one = truth_.boxes[static_cast<BodyId>(random.below(next_))];
+      std::swap(one, truth_.boxes[static_cast<BodyId>(random.below(next_))]);
+    }
+    for (const auto& [body, box] : truth_.boxes) ASSERT_TRUE(broadphase_.move(body, box).ok());
+    update();
   }
 
  private:
+  KeptTree& tree() const { return EngineAccess::last_update(broadphase_).tree; }
+  void update() { ASSERT_TRUE(broadphase_.update().ok()); }
+
   Broadphase broadphase_ = std::move(*make_broadphase(OracleOptions{}));
   Reference truth_;
+  BodyId next_ = 0;
 };
 
 TEST(TreeOfQueries, IsMadeOnceQuestionsHavePaidForIt) {
@@ -165,7 +151,7 @@ TEST(TreeOfQueries, IsMadeOnceQuestionsHavePaidForIt) {
   EXPECT_TRUE(row.answers_are_right(1));
 }
 
-TEST(TreeOfQueries, IsGoneWhenBodiesChangeAndOnlyThen) {
+TEST(TreeOfQueries, IsOfTheLastUpdate) {
   Row row;
   row.queries().prepare();
   EXPECT_TRUE(row.has_tree());
@@ -176,17 +162,92 @@ TEST(TreeOfQueries, IsGoneWhenBodiesChangeAndOnlyThen) {
   EXPECT_TRUE(row.has_tree()) << "queries answer as of the last update";
   EXPECT_TRUE(row.answers_are_right(2));
   ASSERT_TRUE(row.broadphase().update().ok());
-  EXPECT_FALSE(row.has_tree());
+  EXPECT_FALSE(row.has_tree()) << "it is not up to date";
 }
 
-TEST(TreeOfQueries, ForgetsWhatWasPaidWhenBodiesChange) {
+TEST(TreeOfQueries, IsBroughtUpToDateForLess) {
   Row row;
-  for (int i = 0; i < 20; ++i) {
-    row.ask(100);
-    ASSERT_TRUE(row.broadphase().move(BodyId{7}, {{21, 0, 0}, {22, 1, static_cast<float>(1 + i)}}).ok());
-    ASSERT_TRUE(row.broadphase().update().ok());
+  row.queries().prepare();
+  for (int i = 0; i < 300; ++i) {
+    row.move(BodyId{7}, {{21, 0, 0}, {22, 1, static_cast<float>(2 + i % 3)}});
+    EXPECT_FALSE(row.has_tree());
+    row.ask(1);
+    ASSERT_TRUE(row.has_tree());
   }
-  EXPECT_FALSE(row.has_tree());
+  EXPECT_TRUE(row.answers_are_right(5));
+}
+
+// Updates in which little changes do not make questions pay for a whole tree again and again.
+TEST(TreeOfQueries, IsPaidForOverUpdatesWhereFewBodiesChange) {
+  Row row;
+  int updates = 0;
+  for (; updates < 100 && !row.has_tree(); ++updates) {
+    row.move(BodyId{7}, {{21, 0, 0}, {22, 1, static_cast<float>(2 + updates)}});
+    row.ask(20);
+  }
+  EXPECT_GT(updates, 5);
+  EXPECT_LT(updates, 100);
+}
+
+TEST(TreeOfQueries, IsNotMadeWhereToBringItUpToDateWouldTakeLonger) {
+  Row row;
+  for (int i = 0; i < 500; ++i) {
+    row.move_all(0.01F);
+    row.ask(2);
+    ASSERT_FALSE(row.has_tree());
+  }
+}
+
+TEST(TreeOfQueries, IsGivenUpWhenNobodyAsks) {
+  Row row;
+  row.queries().prepare();
+  int updates = 0;
+  for (; updates < 1000 && row.keeps_tree(); ++updates)
+    row.move(BodyId{7}, {{21, 0, 0}, {22, 1, static_cast<float>(2 + updates)}});
+  EXPECT_GT(updates, 10);
+  EXPECT_LT(updates, 1000);
+  EXPECT_TRUE(row.answers_are_right(6));
+}
+
+// Who settles far from where he was at first makes nodes long.
+TEST(TreeOfQueries, IsMadeAnewOnceItIsWorn) {
+  Row row;
+  row.queries().prepare();
+  for (int i = 0; i < 40; ++i) {
+    row.swap_places(static_cast<std::uint64_t>(i));
+    row.queries().prepare();
+    ASSERT_TRUE(row.has_tree());
+    ASSERT_LT(row.wear(), 1.6);
+    ASSERT_TRUE(row.answers_are_right(7));
+  }
+}
+
+TEST(TreeOfQueries, FollowsBodiesThatComeAndGo) {
+  Row row(600);
+  row.queries().prepare();
+  for (const std::size_t gone : {1, 100, 480, 19}) {
+    row.remove(gone);
+    row.queries().prepare();
+    ASSERT_TRUE(row.answers_are_right(gone)) << gone << " went";
+  }
+  for (const std::size_t more : {1, 3, 300, 30, 2000}) {
+    row.insert(more);
+    row.ask(300);
+    ASSERT_TRUE(row.answers_are_right(more)) << more << " came";
+  }
+}
+
+TEST(TreeOfQueries, OutlivesThatAllBodiesGo) {
+  Row row;
+  row.queries().prepare();
+  row.insert(50);
+  row.remove(350);
+  EXPECT_TRUE(row.answers_are_right(8));
+  row.queries().prepare();
+  EXPECT_TRUE(row.answers_are_right(9));
+  row.insert(20);
+  row.queries().prepare();
+  EXPECT_TRUE(row.answers_are_right(10));
 }
 
 TEST(TreeOfQueries, MovesWithItsBroadphase) {
@@ -211,11 +272,32 @@ TEST(TreeOfQueries, WithoutMemoryThereIsNoneAndAnotherTryMakesIt) {
   EXPECT_GE(places, 2U);
 }
 
+// More than fit into the nodes that there are.
+TEST(TreeOfQueries, WithoutMemoryToBringItUpToDateThereIsNoneAndAnotherTryMakesIt) {
+  const auto make = [] {
+    Row row;
+    row.queries().prepare();
+    row.insert(400);
+    return row;
+  };
+  const auto places = starve(
+      make, [](const Row& row) { row.queries().prepare(); },
+      [](const Row& row) {
+        EXPECT_FALSE(row.has_tree());
+        EXPECT_TRUE(row.answers_are_right(11));
+      },
+      [](const Row& row) {
+        EXPECT_TRUE(row.has_tree());
+        EXPECT_TRUE(row.answers_are_right(12));
+      });
+  EXPECT_GE(places, 2U);
+}
+
 TEST(TreeOfQueries, WithoutMemoryQuestionsAreAnsweredAllTheSame) {
   Row row;
   {
     const FailingMemory memory(1);
-    row.ask(1500);
+    row.ask(700);
     EXPECT_FALSE(row.has_tree());
   }
   row.ask(1500);

@@ -12,7 +12,6 @@
 namespace cellsweep::queries {
 namespace {
 
-using contract::BoxKind;
 using contract::Random;
 
 struct WorldKind {

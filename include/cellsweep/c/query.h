@@ -106,8 +106,8 @@ static inline cellsweep_path cellsweep_moving_box(cellsweep_aabb box, const doub
   return path;
 }
 
-/// Makes the tree now that questions about paths and what is near are answered with while no body changes:
-/// worth it before many of them. Otherwise it is made once they have taken as long. Errors: NO_MEMORY.
+/// Makes the tree now that questions about paths and what is near are answered with, or brings it up to date:
+/// worth it before many of them. Otherwise that is done once they have taken as long. Errors: NO_MEMORY.
 CELLSWEEP_API cellsweep_status cellsweep_prepare_queries(const cellsweep_broadphase* broadphase,
                                                          cellsweep_failure* failure);
 

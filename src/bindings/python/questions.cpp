@@ -256,7 +256,7 @@ ascending by (distance, id).)");
           return true;
         });
       },
-      R"(Makes the tree that ways and nearest bodies are found through now, before many questions to a world at rest.)");
+      R"(Makes the tree that ways and nearest bodies are found through, or brings it up to date, before many questions.)");
 }
 
 }  // namespace cellsweep::python

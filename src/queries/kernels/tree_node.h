@@ -16,7 +16,13 @@ struct alignas(64) TreeNode {
   float faces[6][kBoxes];         ///< minima by axis, then maxima; NaN where there is no box
   std::uint32_t content[kBoxes];  ///< a body's slot, or a node's place in the tree
   std::uint32_t bodies;           ///< a bit for each box that is a body's
+  std::uint32_t nodes;            ///< and for each that is another node's
+  std::uint32_t above;            ///< where its own box is: place_in_tree() of the node above it
 };
+
+inline constexpr std::uint32_t place_in_tree(std::uint32_t node, unsigned place) {
+  return node * TreeNode::kBoxes + place;
+}
 
 /// No walk through a tree has more nodes before it at a time: each of the at most kTreeDepth nodes above one
 /// leaves all but one of its own.

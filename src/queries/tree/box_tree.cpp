@@ -1,9 +1,9 @@
 #include "queries/tree/box_tree.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "queries/tree/binary_tree.h"
+#include "queries/tree/tree_update.h"
 
 namespace cellsweep::queries {
 namespace {
@@ -11,10 +11,13 @@ namespace {
 /// Makes the nodes that a binary tree says are best.
 class NodeFiller {
  public:
-  NodeFiller(const BinaryTree& cuts, std::span<const TreeEntry> entries, Vector<TreeNode>& nodes)
-      : cuts_(cuts), entries_(entries), nodes_(nodes) {}
+  NodeFiller(const BinaryTree& cuts, std::span<const TreeEntry> entries, Vector<TreeNode>& nodes,
+             Vector<std::uint32_t>& places)
+      : cuts_(cuts), entries_(entries), nodes_(nodes), places_(places) {}
 
-  void fill() { fill(add_node(), cuts_[0]); }
+  void fill() { fill(add_node(nodes_), cuts_[0]); }
+  /// Of all nodes but the topmost.
+  double reach() const { return reach_; }
 
  private:
   /// The places of a node that is being filled.
@@ -22,13 +25,6 @@ class NodeFiller {
     std::uint32_t node;
     unsigned place = 0;
   };
-
-  std::uint32_t add_node() {
-    const auto number = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.emplace_back();
-    std::ranges::fill(nodes_.back().faces[0], std::numeric_limits<float>::quiet_NaN());
-    return number;
-  }
 
   void fill(std::uint32_t number, const BinaryNode& from) {
     Filling filling{number};
@@ -41,8 +37,8 @@ class NodeFiller {
     if (from.fits() && from.count <= places) return put_bodies(filling, from);
     const unsigned first = from.first_gets[places - 1];
     if (first == 0) {
-      const std::uint32_t next = add_node();
-      put_box(filling, from.range, next);
+      const std::uint32_t next = add_node(nodes_);
+      put_node(filling, from.range, next);
       return fill(next, from);
     }
     put(filling, cuts_[from.sides], first);
@@ -51,31 +47,60 @@ class NodeFiller {
 
   void put_bodies(Filling& filling, const BinaryNode& from) {
     for (const TreeEntry& entry : entries_.subspan(from.first, from.count)) {
-      nodes_[filling.node].bodies |= 1U << filling.place;
-      put_box(filling, range_of(entry), entry.slot);
+      TreeNode& node = nodes_[filling.node];
+      node.bodies |= 1U << filling.place;
+      places_[entry.slot] = place_in_tree(filling.node, filling.place);
+      put_box(node, filling, range_of(entry), entry.slot);
     }
   }
 
-  void put_box(Filling& filling, const Range& range, std::uint32_t content) {
+  void put_node(Filling& filling, const Range& range, std::uint32_t number) {
     TreeNode& node = nodes_[filling.node];
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      node.faces[axis][filling.place] = range.low[axis];
-      node.faces[axis + kAxes][filling.place] = range.high[axis];
-    }
+    node.nodes |= 1U << filling.place;
+    nodes_[number].above = place_in_tree(filling.node, filling.place);
+    reach_ += range.reach();
+    put_box(node, filling, range, number);
+  }
+
+  static void put_box(TreeNode& node, Filling& filling, const Range& range, std::uint32_t content) {
+    put_range(node, filling.place, range);
     node.content[filling.place++] = content;
   }
 
   const BinaryTree& cuts_;
   std::span<const TreeEntry> entries_;
   Vector<TreeNode>& nodes_;
+  Vector<std::uint32_t>& places_;
+  double reach_ = 0;
 };
 
 }  // namespace
 
-void BoxTree::build(std::span<TreeEntry> entries) {
+BoxTree::BoxTree(const BodyBoxes& bodies) : places_(bodies.boxes.size(), kNowhere) {
+  Vector<TreeEntry> entries;
+  entries.reserve(bodies.boxes.size());
+  for (Slot slot = 0; slot < bodies.boxes.size(); ++slot) {
+    if (bodies.has(slot)) entries.push_back({bodies.boxes[slot], slot});
+  }
   const BinaryTree cuts(entries);
   nodes_.reserve(entries.size() / 8 + 1);
-  NodeFiller(cuts, entries, nodes_).fill();
+  NodeFiller filler(cuts, entries, nodes_, places_);
+  filler.fill();
+  made_reach_ = reach_ = filler.reach();
+}
+
+bool BoxTree::update(const BodyBoxes& bodies, std::span<const Slot> changed) {
+  TreeUpdate update(nodes_, places_, bodies);
+  if (!update.put(changed)) return false;
+  reach_ += update.finish();
+  return true;
+}
+
+bool BoxTree::update(const BodyBoxes& bodies) {
+  TreeUpdate update(nodes_, places_, bodies);
+  if (!update.put_all()) return false;
+  reach_ += update.finish();
+  return true;
 }
 
 }  // namespace cellsweep::queries

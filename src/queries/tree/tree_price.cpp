@@ -14,50 +14,64 @@ void destroy(const BoxTree* tree) {
   delete tree;
 }
 
-/// What KeptTree::begin() allowed; given up unless it is kept.
+/// What KeptTree::begin() allowed; given up unless there is a tree in the end.
 class Making {
  public:
-  explicit Making(KeptTree& kept) : kept_(kept) {}
+  explicit Making(const World& world) : kept_(world.kept_tree()), bodies_(world.bodies()) {}
   Making(const Making&) = delete;
   Making& operator=(const Making&) = delete;
   ~Making() {
-    if (!is_kept_) kept_.give_up();
+    if (!is_done_) kept_.give_up();
   }
 
-  void keep(std::unique_ptr<const BoxTree> tree) {
-    kept_.keep(tree.release(), destroy);
-    is_kept_ = true;
+  /// Whether there was a tree that is up to date now, and worth keeping.
+  bool update() {
+    BoxTree* const tree = kept_.outdated();
+    if (tree == nullptr || !update(*tree)) return false;
+    const bool is_worn =
+        tree->wear() > (kept_.account().has_paid_off() ? tuning::kWornTree : tuning::kWornOutTree);
+    is_worn ? kept_.account().wears_out() : kept_.keep();
+    is_done_ = !is_worn;
+    return is_done_;
+  }
+  void make() {
+    auto tree = std::make_unique<BoxTree>(bodies_);
+    kept_.keep(tree.get(), destroy, bodies_.boxes.size());
+    static_cast<void>(tree.release());
+    is_done_ = true;
   }
 
  private:
-  KeptTree& kept_;
-  bool is_kept_ = false;
-};
+  bool update(BoxTree& tree) {
+    return kept_.all_may_have_changed() ? tree.update(bodies_) : tree.update(bodies_, kept_.changed());
+  }
 
-void make_and_keep(const World& world) {
-  Making making(world.kept_tree());
-  const auto is_there = [&](Slot slot) {
-    const Aabb& box = world.box(slot);
-    return box.min[0] <= box.max[0] && world.is_seen(slot);
-  };
-  making.keep(std::make_unique<const BoxTree>(world.boxes(), is_there));
-}
+  KeptTree& kept_;
+  BodyBoxes bodies_;
+  bool is_done_ = false;
+};
 
 }  // namespace
 
 void pay_for_tree(const World& world, std::uint64_t looks) {
   if (looks <= tuning::kLooksInTree) return;
-  const std::uint64_t price = tuning::kTreePrice * (world.boxes().size() + tuning::kFewestPaidFor);
-  if (!world.kept_tree().pay(looks - tuning::kLooksInTree, price) || !world.kept_tree().begin()) return;
+  KeptTree& kept = world.kept_tree();
+  if (!kept.account().pay(looks - tuning::kLooksInTree) || !kept.begin()) return;
   try {
-    make_and_keep(world);
+    const bool makes = kept.outdated() == nullptr || kept.account().has_paid_off();
+    Making making(world);
+    if (!making.update() && makes) making.make();
   } catch (const std::bad_alloc&) {
   }
 }
 
 void make_tree(const World& world) {
   while (world.tree() == nullptr) {
-    if (world.kept_tree().begin()) return make_and_keep(world);
+    if (world.kept_tree().begin()) {
+      Making making(world);
+      if (!making.update()) making.make();
+      return;
+    }
     std::this_thread::yield();
   }
 }

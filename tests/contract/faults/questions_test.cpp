@@ -42,6 +42,7 @@ class AskedWorld {
   }
 
   testing::AssertionResult is_kept() { return checked_.state_is_kept(); }
+  void forget_tree() const { EngineAccess::last_update(checked_.engine()).tree.drop(); }
   bool has_tree() const { return EngineAccess::last_update(checked_.engine()).tree.get() != nullptr; }
   Queries queries() const { return checked_.engine().queries(); }
   queries::Reference reference() const { return {checked_.model().shown, checked_.model().filters}; }
@@ -132,9 +133,16 @@ TEST_P(QuestionFaults, WithoutMemoryForTheTreeGoOnAndItIsMadeWhenItIsAskedForAga
       }
       return world.is_kept();
     };
-    EXPECT_GT(starve_each(
-                  Scarce::memory, lasts, [&] { world.change(); }, prepare, look),
-              1U);
+    const auto without_tree = [&] {
+      world.change();
+      world.forget_tree();
+    };
+    EXPECT_GT(starve_each(Scarce::memory, lasts, without_tree, prepare, look), 1U);
+    const auto with_outdated_tree = [&] {
+      world.queries().prepare();
+      world.change();
+    };
+    EXPECT_GT(starve_each(Scarce::memory, lasts, with_outdated_tree, prepare, look), 0U);
   }
 }
 
@@ -178,10 +186,12 @@ TEST_F(FaultsAmongMany, AQuestionThatHasPaidForATreeDoesWithoutTheMemoryForIt) {
   std::vector<Touch> found;
   const auto ask = [&] { return world_.queries().find_touches(far, found); };
   int questions = 0;
-  for (world_.change(); !world_.has_tree(); ++questions) ASSERT_TRUE(ask().ok());
+  world_.change();
+  for (world_.forget_tree(); !world_.has_tree(); ++questions) ASSERT_TRUE(ask().ok());
   ASSERT_GT(questions, 2);
   const auto pay_nearly_all = [&] {
     world_.change();
+    world_.forget_tree();
     for (int i = 1; i < questions; ++i) EXPECT_TRUE(ask().ok());
     EXPECT_FALSE(world_.has_tree());
   };

@@ -1,0 +1,53 @@
+#include "broadphase/tree_account.h"
+
+#include <algorithm>
+
+#include "base/tuning.h"
+
+namespace cellsweep {
+namespace {
+
+/// Of bringing a tree up to date.
+std::uint64_t price_of(std::size_t changes, std::size_t bodies) {
+  return changes <= TreeAccount::few_of(bodies) ? tuning::kTreeChangePrice * changes
+                                                : tuning::kTreeUpdatePrice * bodies;
+}
+
+}  // namespace
+
+std::size_t TreeAccount::few_of(std::size_t bodies) {
+  return bodies / tuning::kFewChangesOfTree;
+}
+
+[[gnu::cold]] void TreeAccount::made() {
+  spent_ = 0;
+  was_saved_for_ = saving_ > tuning::kUpdatesToSave;
+  saving_ = 0;
+}
+
+[[gnu::cold]] void TreeAccount::wears_out() {
+  doubled_ = was_saved_for_ && !has_paid_off() ? std::min(doubled_ + 1, tuning::kMostDoubled) : 0;
+}
+
+[[gnu::cold]] void TreeAccount::lost() {
+  price_.store(make_price_ << doubled_, std::memory_order_relaxed);
+  paid_.store(0, std::memory_order_relaxed);
+}
+
+void TreeAccount::begin_update(std::size_t changes, std::size_t bodies, bool had_tree) {
+  const std::uint64_t paid = had_tree ? 0 : paid_.load(std::memory_order_relaxed);
+  const std::uint64_t saved = paid - std::min(paid, change_price_);
+  saving_ = saved > 0 ? saving_ + 1 : 0;
+  change_price_ = price_of(changes, bodies);
+  make_price_ = tuning::kTreePrice * (bodies + tuning::kFewestPaidFor);
+  paid_.store(saved, std::memory_order_relaxed);
+  price_.store(make_price_ << doubled_, std::memory_order_relaxed);
+}
+
+[[gnu::cold]] void TreeAccount::expect_changes(std::size_t changes, std::size_t bodies, bool had_tree) {
+  update_price_ = price_of(changes, bodies);
+  const std::uint64_t price = had_tree ? update_price_ / tuning::kPartOfPrice : update_price_;
+  price_.store(price, std::memory_order_relaxed);
+}
+
+}  // namespace cellsweep
