@@ -52,10 +52,10 @@ class BulletQueries final : public QueryPeer {
   }
 
   // As btDbvtBroadphase does it: singly, then a hundredth of the tree anew.
-  void move_all() override {
-    for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      btDbvtVolume volume = volume_of(boxes_[i]);
-      tree_.update(leaves_[i], volume);
+  void move(std::span<const BodyId> bodies) override {
+    for (const BodyId body : bodies) {
+      btDbvtVolume volume = volume_of(boxes_[body]);
+      tree_.update(leaves_[body], volume);
     }
     tree_.optimizeIncremental(1 + tree_.m_leaves / 100);
   }

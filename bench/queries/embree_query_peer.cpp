@@ -68,7 +68,7 @@ class EmbreeQueries final : public QueryPeer {
     rtcCommitScene(scene_.get());
   }
 
-  void move_all() override {
+  void move(std::span<const BodyId> /*bodies*/) override {
     const InsideEmbree inside(this);
     rtcCommitGeometry(geometry_.get());
     rtcCommitScene(scene_.get());

@@ -49,8 +49,8 @@ class FclQueries final : public QueryPeer {
     manager_.setup();
   }
 
-  void move_all() override {
-    for (std::size_t id = 0; id < boxes_.size(); ++id) objects_[id]->set_box(boxes_[id]);
+  void move(std::span<const BodyId> bodies) override {
+    for (const BodyId body : bodies) objects_[body]->set_box(boxes_[body]);
     manager_.update();
   }
 

@@ -13,14 +13,17 @@
 #include <vector>
 
 #include "bench/context.h"
+#include "bench/queries/frame_suite.h"
 #include "bench/queries/query_suite.h"
 
 namespace {
 
+using cellsweep::bench::FrameSuite;
 using cellsweep::bench::QuerySuite;
 
 constexpr std::array<std::size_t, 1> kQuickBodies = {1'000};
 constexpr QuerySuite kQuick{kQuickBodies, 256};
+constexpr FrameSuite kQuickFrames{kQuickBodies, 256, 30};
 
 bool runs_all(int argc, char** argv) {
   return std::none_of(argv + 1, argv + argc, [](std::string_view argument) {
@@ -54,6 +57,7 @@ int main(int argc, char** argv) {
   int count = static_cast<int>(arguments.size());
   cellsweep::bench::add_context();
   cellsweep::bench::register_query_suite(quick ? kQuick : QuerySuite{});
+  cellsweep::bench::register_frame_suite(quick ? kQuickFrames : FrameSuite{});
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   benchmark::RunSpecifiedBenchmarks();

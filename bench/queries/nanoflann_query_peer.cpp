@@ -28,14 +28,10 @@ class NanoflannQueries final : public QueryPeer {
   void build(std::span<const Aabb> boxes) override {
     boxes_ = boxes;
     cloud_.points.resize(boxes.size());
-    move_all();
+    make_tree();
   }
 
-  void move_all() override {
-    for (std::size_t i = 0; i < boxes_.size(); ++i) cloud_.points[i] = boxes_[i].min;
-    tree_ = std::make_unique<Tree>(3, cloud_);
-    tree_->buildIndex();
-  }
+  void move(std::span<const BodyId> /*bodies*/) override { make_tree(); }
 
   void find_within(const Point& center, float radius, std::vector<BodyId>& found) override {
     nanoflann::SearchParams unsorted;
@@ -56,6 +52,12 @@ class NanoflannQueries final : public QueryPeer {
   }
 
  private:
+  void make_tree() {
+    for (std::size_t i = 0; i < boxes_.size(); ++i) cloud_.points[i] = boxes_[i].min;
+    tree_ = std::make_unique<Tree>(3, cloud_);
+    tree_->buildIndex();
+  }
+
   std::span<const Aabb> boxes_;
   Cloud cloud_;
   std::unique_ptr<Tree> tree_;

@@ -49,8 +49,10 @@ class OwnQueries final : public QueryPeer {
     world_.queries().prepare();
   }
 
-  void move_all() override {
-    check(world_.move(ids_, boxes_));
+  void move(std::span<const BodyId> bodies) override {
+    moved_.clear();
+    for (const BodyId body : bodies) moved_.push_back(boxes_[body]);
+    check(world_.move(bodies, moved_));
     check(world_.update().status());
   }
 
@@ -137,6 +139,7 @@ class OwnQueries final : public QueryPeer {
   Broadphase world_;
   std::span<const Aabb> boxes_;
   std::vector<BodyId> ids_;
+  std::vector<Aabb> moved_;
   const Questions* prepared_ = nullptr;
   QuestionKind kind_ = QuestionKind::boxes;
   std::vector<Path> paths_;

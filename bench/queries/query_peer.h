@@ -29,8 +29,8 @@ class QueryPeer {
   /// Enters all bodies. The boxes stay there as long as the peer lives; body i has the i-th.
   virtual void build(std::span<const Aabb> boxes) = 0;
 
-  /// After all of these boxes, the same as build() was given, have changed.
-  virtual void move_all() = 0;
+  /// After some of these boxes, the same as build() was given, have changed: those of these bodies.
+  virtual void move(std::span<const BodyId> bodies) = 0;
 
   virtual void find_overlaps(const Aabb& /*box*/, std::vector<BodyId>& /*found*/) {}
   virtual void find_within(const Point& /*center*/, float /*radius*/, std::vector<BodyId>& /*found*/) {}
@@ -56,7 +56,7 @@ struct QueryPeerInfo {
   bool is_own = false;
   bool in_batches = false;  ///< all questions in one call
   bool many_threads = false;
-  /// Whether its pairs come with move_all(), so that this takes no time for the queries' sake.
+  /// Whether its pairs come with move(), so that this takes no time for the queries' sake.
   bool moves_for_pairs = false;
   std::function<std::unique_ptr<QueryPeer>()> make{};
 

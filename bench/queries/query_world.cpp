@@ -39,24 +39,30 @@ QueryWorld::QueryWorld(std::string_view name, std::size_t bodies, std::uint64_t 
       only_points_(has_only_points(name)),
       source_(std::move(*make_scene_frames(settings_of(name, bodies, seed)))),
       bounds_(*scene_bounds(settings_of(name, bodies, seed))),
-      boxes_(bodies) {
-  take_boxes();
-}
+      boxes_(next_boxes()) {}
 
-void QueryWorld::advance() {
+std::span<const BodyId> QueryWorld::advance(std::size_t one_of) {
   source_->advance();
-  take_boxes();
+  const std::vector<Aabb> next = next_boxes();
+  moved_.clear();
+  for (std::size_t i = one_of - 1; i < next.size(); i += one_of) {
+    moved_.push_back(static_cast<BodyId>(i));
+    boxes_[i] = next[i];
+  }
+  return moved_;
 }
 
-void QueryWorld::take_boxes() {
+std::vector<Aabb> QueryWorld::next_boxes() const {
   const auto from = source_->boxes();
-  auto to = boxes_.begin();
+  std::vector<Aabb> boxes(from.size() + (has_plane_ ? 1 : 0));
+  auto to = boxes.begin();
   if (has_plane_) *to++ = plane_below(bounds_);
   if (only_points_) {
     std::transform(from.begin(), from.end(), to, center_of);
   } else {
     std::copy(from.begin(), from.end(), to);
   }
+  return boxes;
 }
 
 }  // namespace cellsweep::bench

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cellsweep/pair.h"
 #include "cellsweep/world/frame_source.h"
 
 namespace cellsweep::bench {
@@ -32,17 +33,19 @@ class QueryWorld {
   std::span<const Aabb> boxes() const { return boxes_; }
   /// Where bodies are, but for the plane.
   const Aabb& bounds() const { return bounds_; }
-  /// Moves all bodies, but for the plane; boxes() is the same memory.
-  void advance();
+  /// Moves one of so many bodies, always the same ones, but for the plane, which is named all the same.
+  /// Returns them; boxes() is the same memory.
+  std::span<const BodyId> advance(std::size_t one_of = 1);
 
  private:
-  void take_boxes();
+  std::vector<Aabb> next_boxes() const;
 
   bool has_plane_;
   bool only_points_;
   std::unique_ptr<FrameSource> source_;
   Aabb bounds_;
   std::vector<Aabb> boxes_;
+  std::vector<BodyId> moved_;
 };
 
 }  // namespace cellsweep::bench

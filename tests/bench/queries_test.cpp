@@ -51,8 +51,8 @@ TEST(QueryPeers, AnswerForWhereBodiesHaveMovedTo) {
       const auto asked = peer.make();
       asked->build(world.boxes());
       for (int i = 0; i < 3; ++i) {
-        world.advance();
-        asked->move_all();
+        const std::span<const BodyId> moved = world.advance(i == 1 ? 10 : 1);
+        asked->move(moved);
       }
       const QuestionSizes sizes = find_sizes(world.boxes(), world.bounds());
       for (const QuestionKind kind : {QuestionKind::boxes, QuestionKind::nearest8}) {
@@ -155,7 +155,11 @@ constexpr std::string_view kResults = R"({
     {"run_name": "queries/varied/10000/boxes/fcl/iterations:1/manual_time", "run_type": "aggregate",
      "aggregate_name": "median", "real_time": 900},
     {"run_name": "moved/varied/10000/boxes/fcl/iterations:1/manual_time", "run_type": "iteration",
-     "real_time": 900, "move": 3.25}]})";
+     "real_time": 900, "move": 3.25},
+    {"run_name": "frames/varied/10000/rays/1/stream/iterations:1/manual_time", "run_type": "aggregate",
+     "aggregate_name": "median", "real_time": 200, "ask": 190},
+    {"run_name": "frames/varied/10000/rays/1/embree/iterations:1/manual_time", "run_type": "aggregate",
+     "aggregate_name": "median", "real_time": 700, "ask": 180}]})";
 
 TEST(QueryTables, SayHowFarTheBestOfTheOthersIsBehindAndLeaveErrorsOut) {
   QueryResults results;
@@ -171,6 +175,9 @@ TEST(QueryTables, SayHowFarTheBestOfTheOthersIsBehindAndLeaveErrorsOut) {
             std::string::npos)
       << query_cells(results);
   EXPECT_NE(moved_cells(results).find("| `fcl` | 3.2 | 900 |"), std::string::npos) << moved_cells(results);
+  EXPECT_NE(frame_cells(results).find("| varied | 10,000 | 1 % | 200 | 190 | `embree` **3.5**; 180 |"),
+            std::string::npos)
+      << frame_cells(results);
   EXPECT_FALSE(add_query_results("[]", results).ok());
 }
 

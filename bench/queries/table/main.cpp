@@ -20,15 +20,15 @@ constexpr std::string_view kUsage =
     "Reads what ./run bench queries measured (out/queries/queries.json, unless files are named), prints how "
     "many\n"
     "times as long as stream the best of the others took, and writes out/queries/tables.md.\n"
-    "  --docs   also puts the summary into docs/query-speed.md\n";
+    "  --docs   also puts the summary, and frames, into docs/query-speed.md\n";
 
 Status put_into_page(const QueryResults& results) {
   const std::filesystem::path page = "docs/query-speed.md";
-  const Result<std::string> text = report::read_text_file(page);
+  Result<std::string> text = report::read_text_file(page);
+  if (text && !results.cells.empty()) text = replace_between_marks(*text, "queries", query_summary(results));
+  if (text && !results.frames.empty()) text = replace_between_marks(*text, "frames", frame_cells(results));
   if (!text) return text.status();
-  const Result<std::string> changed = replace_between_marks(*text, "queries", query_summary(results));
-  if (!changed) return changed.status();
-  return report::write_text_file(page, *changed);
+  return report::write_text_file(page, *text);
 }
 
 Status run(const std::vector<std::string>& files, bool docs) {
@@ -39,7 +39,7 @@ Status run(const std::vector<std::string>& files, bool docs) {
     if (Status status = add_query_results(*json, results); !status.ok()) return status;
   }
   const std::string tables = results.machine + "\n\n" + query_summary(results) + "\n" + query_cells(results) +
-                             "\n" + moved_cells(results);
+                             "\n" + moved_cells(results) + "\n" + frame_cells(results);
   std::fputs(tables.c_str(), stdout);
   if (Status status = report::make_folder("out/queries"); !status.ok()) return status;
   if (Status status = report::write_text_file("out/queries/tables.md", tables); !status.ok()) return status;

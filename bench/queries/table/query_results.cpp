@@ -21,18 +21,36 @@ std::vector<std::string> parts_of(const std::string& name) {
   return parts;
 }
 
+/// The place of a world's name among all; none when there is no such world.
+std::optional<std::size_t> world_of(const std::string& name) {
+  const auto world = std::find(kQueryWorlds.begin(), kQueryWorlds.end(), name);
+  if (world == kQueryWorlds.end()) return std::nullopt;
+  return static_cast<std::size_t>(world - kQueryWorlds.begin());
+}
+
+/// From frames/WORLD/N/rays/PERCENT/NAME.
+std::optional<FrameCell> frame_of_row(const std::vector<std::string>& parts) {
+  if (parts.size() < 6 || parts[0] != "frames") return std::nullopt;
+  const auto world = world_of(parts[1]);
+  std::istringstream bodies(parts[2]);
+  std::istringstream percent(parts[4]);
+  FrameCell cell;
+  if (!world || !(bodies >> cell.bodies) || !(percent >> cell.percent)) return std::nullopt;
+  cell.world = *world;
+  return cell;
+}
+
 /// From queries/WORLD/N/KIND/NAME or moved/WORLD/N/KIND/NAME.
 std::optional<QueryCell> cell_of_row(const std::vector<std::string>& parts) {
   if (parts.size() < 5 || (parts[0] != "queries" && parts[0] != "moved")) return std::nullopt;
-  const auto world = std::find(kQueryWorlds.begin(), kQueryWorlds.end(), parts[1]);
+  const auto world = world_of(parts[1]);
   const auto kind = std::find_if(kQuestionKinds.begin(), kQuestionKinds.end(),
                                  [&](const QuestionKindInfo& info) { return info.name == parts[3]; });
   std::istringstream number(parts[2]);
   QueryCell cell;
-  if (world == kQueryWorlds.end() || kind == kQuestionKinds.end() || !(number >> cell.bodies))
-    return std::nullopt;
+  if (!world || kind == kQuestionKinds.end() || !(number >> cell.bodies)) return std::nullopt;
   cell.is_moved = parts[0] == "moved";
-  cell.world = static_cast<std::size_t>(world - kQueryWorlds.begin());
+  cell.world = *world;
   cell.kind = static_cast<std::size_t>(kind - kQuestionKinds.begin());
   return cell;
 }
@@ -41,8 +59,11 @@ void take_row(const json& row, QueryResults& results) {
   const bool is_value =
       row.value("aggregate_name", "") == "median" || row.value("run_type", "") == "iteration";
   const std::vector<std::string> parts = parts_of(row.value("run_name", ""));
+  if (!is_value || row.value("error_occurred", false)) return;
+  if (const auto frame = frame_of_row(parts))
+    results.frames[*frame][parts[5]] = {row.value("real_time", 0.0), row.value("ask", 0.0)};
   const auto cell = cell_of_row(parts);
-  if (!cell || !is_value || row.value("error_occurred", false)) return;
+  if (!cell) return;
   results.cells[*cell][parts[4]] = {row.value("real_time", 0.0), row.value("p99", 0.0),
                                     row.value("move", 0.0), row.value("pairs", 0.0) != 0};
 }

@@ -22,6 +22,21 @@ struct QueryCell {
   friend auto operator<=>(const QueryCell&, const QueryCell&) = default;
 };
 
+/// A frame of a world that moves. World counts in kQueryWorlds.
+struct FrameCell {
+  std::size_t bodies = 0;
+  std::size_t percent = 0;  ///< of the bodies, that move
+  std::size_t world = 0;
+
+  friend auto operator<=>(const FrameCell&, const FrameCell&) = default;
+};
+
+/// Of one who follows it.
+struct FrameTime {
+  double us = 0;      ///< of a frame in the mean
+  double ask_ns = 0;  ///< of a question
+};
+
 /// Of one who answers.
 struct QueryTime {
   double ns = 0;   ///< for a question in the mean
@@ -32,6 +47,7 @@ struct QueryTime {
 
 struct QueryResults {
   std::map<QueryCell, std::map<std::string, QueryTime>> cells;
+  std::map<FrameCell, std::map<std::string, FrameTime>> frames;
   std::string machine;  ///< what the file says of it
 };
 

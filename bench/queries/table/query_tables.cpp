@@ -125,6 +125,29 @@ std::string query_cells(const QueryResults& results) {
   return text;
 }
 
+std::string frame_cells(const QueryResults& results) {
+  std::string text =
+      "| world | bodies | of them move | `stream`, µs a frame | a ray, ns | how many times as long; a ray, "
+      "ns |\n"
+      "|---|--:|--:|--:|--:|---|\n";
+  for (const auto& [cell, times] : results.frames) {
+    const auto own = times.find("stream");
+    if (own == times.end()) continue;
+    text += "| " + std::string(kQueryWorlds[cell.world]) + " | " + with_commas(cell.bodies) + " | " +
+            std::to_string(cell.percent) + " % | " + digits(own->second.us, 0) + " | " +
+            digits(own->second.ask_ns, 0) + " |";
+    std::string_view before = " ";
+    for (const auto& [name, time] : times) {
+      if (is_ours(name)) continue;
+      text += before;
+      text += "`" + name + "` **" + as_ratio(time.us / own->second.us) + "**; " + digits(time.ask_ns, 0);
+      before = ", ";
+    }
+    text += " |\n";
+  }
+  return text;
+}
+
 std::string moved_cells(const QueryResults& results) {
   std::string text =
       "| world | bodies | question | who | tree anew, ms | question, ns |\n|---|--:|---|---|--:|--:|\n";

@@ -29,6 +29,9 @@ std::string query_summary(const QueryResults& results);
 /// All cells, and everybody's times in them.
 std::string query_cells(const QueryResults& results);
 
+/// Rows of frames: how many times as long as `stream` each of the others takes, and a question.
+std::string frame_cells(const QueryResults& results);
+
 /// Rows after all bodies have moved: how long that took, and a question then.
 std::string moved_cells(const QueryResults& results);
 
