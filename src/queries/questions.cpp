@@ -80,12 +80,13 @@ void for_each_overlap(const Asked& asked, const Reach& reach, const Visit& visit
   });
 }
 
-/// Lists those of some bodies that are near enough. A walk finds few at a time; they wait, as many distances
-/// are computed side by side in little more time than one.
+/// Calls `take(slot, distance)` for those of some bodies that are near enough. A walk finds few at a time; they
+/// wait, as many distances are computed side by side in little more time than one.
+template <class Take>
 class WithinReach {
  public:
-  WithinReach(const Asked& asked, const Reach& reach, std::vector<Neighbor>& found)
-      : asked_(asked), reach_(reach), found_(found) {}
+  WithinReach(const Asked& asked, const Reach& reach, const Take& take)
+      : asked_(asked), reach_(reach), take_(take) {}
 
   /// At most kRowBoxes.
   void add(Slots slots) {
@@ -104,9 +105,7 @@ class WithinReach {
       near += distances_[i] <= reach_.distance() ? 1 : 0;
     }
     for (std::size_t i = 0; i < near; ++i) {
-      const Slot slot = waiting_[i];
-      if (asked_.world.is_answer(asked_.filter, slot))
-        found_.push_back({asked_.world.id(slot), distances_[i]});
+      if (asked_.world.is_answer(asked_.filter, waiting_[i])) take_(waiting_[i], distances_[i]);
     }
     count_ = 0;
   }
@@ -114,11 +113,21 @@ class WithinReach {
  private:
   const Asked& asked_;
   const Reach& reach_;
-  std::vector<Neighbor>& found_;
+  const Take& take_;
   std::size_t count_ = 0;
   std::array<Slot, kRowBoxes> waiting_;                         // NOLINT(*-member-init): as far as it is read
   std::array<double, kRowBoxes + kDistancesAtOnce> distances_;  // NOLINT(*-member-init): as far as it is read
 };
+
+template <class Take>
+void for_each_within(const Asked& asked, const Reach& reach, const Take& take) {
+  WithinReach within(asked, reach, take);
+  walk_region(asked.world, reach.box(), [&](Slots slots) {
+    within.add(slots);
+    return true;
+  });
+  within.finish();
+}
 
 }  // namespace
 
@@ -137,11 +146,13 @@ void list_overlaps(const Asked& asked, const Region& region, std::vector<BodyId>
       std::ranges::transform(slots, &found[here], [&](Slot slot) { return asked.world.id(slot); });
       return true;
     });
-  } else {
+  } else if (reach.distance() == 0) {
     for_each_overlap(asked, reach, [&](Slot slot) {
       found.push_back(asked.world.id(slot));
       return true;
     });
+  } else {
+    for_each_within(asked, reach, [&](Slot slot, double) { found.push_back(asked.world.id(slot)); });
   }
   sort_ids(asked.world.kernels(), std::span(found).subspan(before));
 }
@@ -158,12 +169,9 @@ bool any_overlap(const Asked& asked, const Region& region) {
 void list_within(const Asked& asked, const Region& region, std::vector<Neighbor>& found) {
   const std::size_t before = found.size();
   const Reach reach(region);
-  WithinReach within(asked, reach, found);
-  walk_region(asked.world, reach.box(), [&](Slots slots) {
-    within.add(slots);
-    return true;
+  for_each_within(asked, reach, [&](Slot slot, double distance) {
+    found.push_back({asked.world.id(slot), distance});
   });
-  within.finish();
   sort_neighbors(std::span(found).subspan(before));
 }
 
