@@ -36,14 +36,10 @@ class Reach {
   /// A box around the region.
   const Aabb& box() const { return reach_; }
   double distance() const { return distance_; }
-  double distance_to(const Aabb& box) const { return distance_of(box_, box); }
-  /// The same to each of some boxes; behind the last distance there is room for kDistancesAtOnce.
+  /// How far it is to each of some boxes; behind the last distance there is room for kDistancesAtOnce.
   void measure(const World& world, Slots slots, double* distances) const {
     world.kernels().distances(world.boxes().data(), slots.data(), static_cast<std::uint32_t>(slots.size()),
                               box_, distances);
-  }
-  bool overlaps(const Aabb& box) const {
-    return distance_ == 0 ? overlap(box_, box) : distance_to(box) <= distance_;
   }
 
  private:
@@ -56,37 +52,76 @@ bool comes_before(const Touch& one, const Touch& other) {
   return one.time != other.time ? one.time < other.time : one.body < other.body;
 }
 
-/// Whether a walk through a region's box finds bodies that overlap it for certain. Else their boxes are
-/// looked at, which by slot lie anywhere in memory.
-bool are_certain(const World& world, const Reach& reach) {
-  return reach.distance() == 0 && world.overlaps_are_certain();
+/// Whether all that a walk through a region's box finds are answers. Else their boxes are looked at, which by
+/// slot lie anywhere in memory.
+bool are_all_answers(const Asked& asked, const Reach& reach) {
+  return reach.distance() == 0 && asked.world.overlaps_are_certain() && !asked.filter.as &&
+         !asked.filter.predicate;
 }
 
-bool are_all_answers(const Asked& asked, const Reach& reach) {
-  return are_certain(asked.world, reach) && !asked.filter.as && !asked.filter.predicate;
-}
+/// Those of some bodies that are near enough. Distances are computed side by side, several in little more
+/// time than one.
+class NearBodies {
+ public:
+  NearBodies(const World& world, const Reach& reach) : world_(world), reach_(reach) {}
+
+  /// Of these, at most kRowBoxes. Returns how many there are.
+  std::size_t find(Slots slots) {
+    reach_.measure(world_, slots, distances_.data());
+    // Half of them are too far, nobody could foretell which: all are written down, and most written over.
+    std::size_t near = 0;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      slots_[near] = slots[i];
+      distances_[near] = distances_[i];
+      near += distances_[i] <= reach_.distance() ? 1 : 0;
+    }
+    return near;
+  }
+  /// Of those that were found last.
+  Slot slot(std::size_t i) const { return slots_[i]; }
+  double distance(std::size_t i) const { return distances_[i]; }
+
+ private:
+  const World& world_;
+  const Reach& reach_;
+  std::array<Slot, kRowBoxes> slots_;                           // NOLINT(*-member-init): as far as it is read
+  std::array<double, kRowBoxes + kDistancesAtOnce> distances_;  // NOLINT(*-member-init): as far as it is read
+};
 
 /// Calls `visit(slot)` for the answers until it returns false.
 template <class Visit>
-void for_each_overlap(const Asked& asked, const Reach& reach, const Visit& visit) {
-  const bool overlap_for_certain = are_certain(asked.world, reach);
+void for_each_near(const Asked& asked, const Reach& reach, const Visit& visit) {
+  NearBodies near(asked.world, reach);
   walk_region(asked.world, reach.box(), [&](Slots slots) {
-    for (const Slot slot : slots) {
-      if (!overlap_for_certain && !reach.overlaps(asked.world.box(slot))) continue;
-      if (!asked.world.is_answer(asked.filter, slot)) continue;
-      if (!visit(slot)) return false;
+    const std::size_t count = near.find(slots);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (asked.world.is_answer(asked.filter, near.slot(i)) && !visit(near.slot(i))) return false;
     }
     return true;
   });
 }
 
-/// Calls `take(slot, distance)` for those of some bodies that are near enough. A walk finds few at a time; they
-/// wait, as many distances are computed side by side in little more time than one.
+/// The same, whatever the region.
+template <class Visit>
+void for_each_overlap(const Asked& asked, const Reach& reach, const Visit& visit) {
+  if (reach.distance() > 0) return for_each_near(asked, reach, visit);
+  const bool overlap_for_certain = asked.world.overlaps_are_certain();
+  walk_region(asked.world, reach.box(), [&](Slots slots) {
+    for (const Slot slot : slots) {
+      if (!overlap_for_certain && !overlap(reach.box(), asked.world.box(slot))) continue;
+      if (asked.world.is_answer(asked.filter, slot) && !visit(slot)) return false;
+    }
+    return true;
+  });
+}
+
+/// Calls `take(slot, distance)` for those of some bodies that are near enough. A walk finds few at a time:
+/// they wait for others.
 template <class Take>
 class WithinReach {
  public:
   WithinReach(const Asked& asked, const Reach& reach, const Take& take)
-      : asked_(asked), reach_(reach), take_(take) {}
+      : asked_(asked), near_(asked.world, reach), take_(take) {}
 
   /// At most kRowBoxes.
   void add(Slots slots) {
@@ -96,27 +131,19 @@ class WithinReach {
   }
 
   void finish() {
-    reach_.measure(asked_.world, std::span(waiting_).first(count_), distances_.data());
-    // Half of them are too far, nobody could foretell which: all are written down, and most written over.
-    std::size_t near = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      waiting_[near] = waiting_[i];
-      distances_[near] = distances_[i];
-      near += distances_[i] <= reach_.distance() ? 1 : 0;
-    }
-    for (std::size_t i = 0; i < near; ++i) {
-      if (asked_.world.is_answer(asked_.filter, waiting_[i])) take_(waiting_[i], distances_[i]);
+    const std::size_t count = near_.find(std::span(waiting_).first(count_));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (asked_.world.is_answer(asked_.filter, near_.slot(i))) take_(near_.slot(i), near_.distance(i));
     }
     count_ = 0;
   }
 
  private:
   const Asked& asked_;
-  const Reach& reach_;
+  NearBodies near_;
   const Take& take_;
   std::size_t count_ = 0;
-  std::array<Slot, kRowBoxes> waiting_;                         // NOLINT(*-member-init): as far as it is read
-  std::array<double, kRowBoxes + kDistancesAtOnce> distances_;  // NOLINT(*-member-init): as far as it is read
+  std::array<Slot, kRowBoxes> waiting_;  // NOLINT(*-member-init): as far as it is read
 };
 
 template <class Take>
