@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <unordered_set>
+#include <span>
+#include <vector>
 
 #include "geometry/canonical.h"
-#include "queries/arithmetic.h"
 #include "queries/nearest_walk.h"
 #include "queries/outward.h"
-#include "queries/path_walk.h"
 #include "queries/region_walk.h"
 #include "queries/short_sort.h"
 
@@ -17,7 +15,6 @@ namespace cellsweep::queries {
 namespace {
 
 using Slots = std::span<const Slot>;
-using Candidates = std::span<const Candidate>;
 
 /// A region, canonical.
 class Reach {
@@ -47,10 +44,6 @@ class Reach {
   Aabb reach_;
   double distance_;
 };
-
-bool comes_before(const Touch& one, const Touch& other) {
-  return one.time != other.time ? one.time < other.time : one.body < other.body;
-}
 
 /// Whether all that a walk through a region's box finds are answers. Else their boxes are looked at, which by
 /// slot lie anywhere in memory.
@@ -207,74 +200,6 @@ void list_nearest(const Asked& asked, const Aabb& box, std::size_t count, double
   NearestList nearest(count, most, found);
   walk_nearest(asked.world, canonical(box), asked.filter, nearest);
   nearest.sort();
-}
-
-// A body comes once for each cell in which the path meets it; its touch is the same each time.
-void list_touches(const Asked& asked, const Path& path, std::vector<Touch>& found) {
-  const auto before = static_cast<std::ptrdiff_t>(found.size());
-  const Cast cast(path);
-  walk_path(asked.world, cast, [&](Candidates candidates) {
-    for (const auto& [slot, box] : candidates) {
-      const auto time = cast.touch(box, path.end);
-      if (time && asked.world.may_be_answer(asked.filter, slot))
-        found.push_back({asked.world.id(slot), *time});
-    }
-    return path.end;
-  });
-  // They come nearly in order.
-  std::sort(found.begin() + before, found.end(), comes_before);
-  auto end = std::unique(found.begin() + before, found.end());
-  if (asked.filter.predicate) {
-    end = std::remove_if(found.begin() + before, end,
-                         [&](const Touch& touch) { return !asked.filter.predicate(touch.body); });
-  }
-  found.erase(end, found.end());
-}
-
-void visit_touches(const Asked& asked, const Path& path, FunctionRef<double(const Touch&, double)> visit) {
-  std::unordered_set<Slot> seen;
-  const Cast cast(path);
-  double end = path.end;
-  walk_path(asked.world, cast, [&](Candidates candidates) {
-    for (const auto& [slot, box] : candidates) {
-      const auto time = cast.touch(box, end);
-      if (!time || !seen.insert(slot).second || !asked.world.is_answer(asked.filter, slot)) continue;
-      end = std::min(end, visit({asked.world.id(slot), *time}, end));
-      if (!(end >= 0)) return -1.0;
-    }
-    return end;
-  });
-}
-
-bool any_touch(const Asked& asked, const Path& path) {
-  bool any = false;
-  const Cast cast(path);
-  walk_path(asked.world, cast, [&](Candidates candidates) {
-    for (const auto& [slot, box] : candidates) {
-      if (!cast.touches(box, path.end) || !asked.world.is_answer(asked.filter, slot)) continue;
-      any = true;
-      return -1.0;
-    }
-    return path.end;
-  });
-  return any;
-}
-
-std::optional<Touch> first_touch(const Asked& asked, const Path& path) {
-  std::optional<Touch> first;
-  const Cast cast(path);
-  walk_path(asked.world, cast, [&](Candidates candidates) {
-    for (const auto& [slot, box] : candidates) {
-      const auto time = cast.touch(box, path.end);
-      if (!time) continue;
-      if (first && *time > first->time) continue;
-      const Touch touch{asked.world.id(slot), *time};
-      if (first && !comes_before(touch, *first)) continue;
-      if (asked.world.is_answer(asked.filter, slot)) first = touch;
-    }
-    return first ? first->time : path.end;
-  });
-  return first;
 }
 
 }  // namespace cellsweep::queries
