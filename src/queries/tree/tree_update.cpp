@@ -74,8 +74,10 @@ bool TreeUpdate::put_all() {
 }
 
 void TreeUpdate::prefetch_boxes(const TreeNode& node) const {
-  for (std::uint32_t rest = node.bodies; rest != 0; rest &= rest - 1)
-    __builtin_prefetch(&bodies_.boxes[node.content[std::countr_zero(rest)]]);
+  for (std::uint32_t rest = node.bodies; rest != 0; rest &= rest - 1) {
+    const Slot slot = node.content[std::countr_zero(rest)];
+    if (slot < bodies_.boxes.size()) __builtin_prefetch(&bodies_.boxes[slot]);
+  }
 }
 
 void TreeUpdate::put_all_of(std::uint32_t number) {
