@@ -149,7 +149,8 @@ class CELLSWEEP_API Queries {
   /// one that there is up to date: worth it before many of them. Otherwise that is done by the question that
   /// has paid for it, once all of them together have taken about as long as it takes: to make it, 0.25 us for
   /// each body; after an update that changed something, 5 ns for each, or 20 to 50 ns for each of few that
-  /// changed. It has 45 bytes for each body. std::bad_alloc may leave the call.
+  /// changed (four times that among a million, which no cache holds). It has 45 bytes for each body.
+  /// std::bad_alloc may leave the call.
   void prepare() const;
 
   // --- what is in a region

@@ -300,9 +300,9 @@ inline constexpr std::uint64_t kPartOfPrice = 4;
 inline constexpr double kWornTree = 1.25;
 inline constexpr double kWornOutTree = 1.5;
 /// A tree for which questions had saved over more updates than these, and which wore out before it paid off,
-/// doubles the price of the next one, so many times at most.
+/// halves what is saved for the next one, so many times at most.
 inline constexpr unsigned kUpdatesToSave = 3;
-inline constexpr unsigned kMostDoubled = 5;
+inline constexpr unsigned kMostHalved = 5;
 /// Updates in which questions did not pay for the tree before it is given up: chosen, not measured.
 inline constexpr unsigned kMostUnasked = 64;
 /// So many and more are answered in the order of the cells in which they begin: 4,096 rays take half as long

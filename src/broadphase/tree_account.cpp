@@ -26,22 +26,35 @@ std::size_t TreeAccount::few_of(std::size_t bodies) {
 }
 
 [[gnu::cold]] void TreeAccount::wears_out() {
-  doubled_ = was_saved_for_ && !has_paid_off() ? std::min(doubled_ + 1, tuning::kMostDoubled) : 0;
+  halved_ = was_saved_for_ && !has_paid_off() ? std::min(halved_ + 1, tuning::kMostHalved) : 0;
 }
 
 [[gnu::cold]] void TreeAccount::lost() {
-  price_.store(make_price_ << doubled_, std::memory_order_relaxed);
+  price_.store(make_price_, std::memory_order_relaxed);
   paid_.store(0, std::memory_order_relaxed);
+  saved_ = 0;
 }
 
 void TreeAccount::begin_update(std::size_t changes, std::size_t bodies, bool had_tree) {
-  const std::uint64_t paid = had_tree ? 0 : paid_.load(std::memory_order_relaxed);
-  const std::uint64_t saved = paid - std::min(paid, change_price_);
-  saving_ = saved > 0 ? saving_ + 1 : 0;
+  if (had_tree) {
+    saved_ = 0;
+  } else {
+    save(paid_.load(std::memory_order_relaxed) - saved_);
+  }
+  saving_ = saved_ > 0 ? saving_ + 1 : 0;
   change_price_ = price_of(changes, bodies);
   make_price_ = tuning::kTreePrice * (bodies + tuning::kFewestPaidFor);
-  paid_.store(saved, std::memory_order_relaxed);
-  price_.store(make_price_ << doubled_, std::memory_order_relaxed);
+  paid_.store(saved_, std::memory_order_relaxed);
+  price_.store(make_price_, std::memory_order_relaxed);
+}
+
+// Less than the price of bringing a tree up to date is a loss.
+void TreeAccount::save(std::uint64_t paid) {
+  if (paid >= change_price_) {
+    saved_ += (paid - change_price_) >> halved_;
+  } else {
+    saved_ -= std::min(saved_, change_price_ - paid);
+  }
 }
 
 [[gnu::cold]] void TreeAccount::expect_changes(std::size_t changes, std::size_t bodies, bool had_tree) {

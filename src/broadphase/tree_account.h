@@ -28,8 +28,8 @@ class TreeAccount {
   void brought_up_to_date() { spent_ += update_price_; }
   /// Whether to bring the tree up to date again and again has cost as much as another one.
   bool has_paid_off() const { return spent_ >= make_price_; }
-  /// It reaches too far by now. Where it was saved for over many updates, and did not pay off, another one
-  /// has to be more urgent.
+  /// It reaches too far by now. Where it was saved for over many updates, and did not pay off, half as much
+  /// is saved for another one from now on; what the questions of one update pay counts as before.
   void wears_out();
   /// There is no tree any more, and what was paid is forgotten.
   void lost();
@@ -43,15 +43,18 @@ class TreeAccount {
   static std::size_t few_of(std::size_t bodies);
 
  private:
-  std::atomic<std::uint64_t> paid_ = 0;
+  void save(std::uint64_t paid);
+
+  std::atomic<std::uint64_t> paid_ = 0;  // since the update, and what was saved before
   std::atomic<std::uint64_t> price_ = 0;
-  std::uint64_t make_price_ = 0;    // of a tree, unless it is doubled
+  std::uint64_t make_price_ = 0;    // of a tree
   std::uint64_t change_price_ = 0;  // of bringing one up to date if this update alone had changed anything
   std::uint64_t update_price_ = 0;  // of bringing the one that there is up to date
   std::uint64_t spent_ = 0;         // on that, since it was made
-  unsigned saving_ = 0;             // updates over which questions have saved for a tree
+  std::uint64_t saved_ = 0;         // for another one, before the update
+  unsigned saving_ = 0;             // over so many updates
   bool was_saved_for_ = false;      // over many
-  unsigned doubled_ = 0;
+  unsigned halved_ = 0;             // times that what is saved was
 };
 
 }  // namespace cellsweep
