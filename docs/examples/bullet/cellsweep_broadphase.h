@@ -9,8 +9,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <vector>
+
+#include "proxy_pool.h"
 
 /// Stands in a btCollisionWorld or btDynamicsWorld where a btDbvtBroadphase would:
 ///
@@ -66,12 +67,11 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
   void printStats() override {}
 
  private:
-  /// A body of the broadphase, or a place for the next one.
-  struct Proxy : btBroadphaseProxy {
-    cellsweep::BodyId id = 0;
+  /// What there is to know of a proxy besides.
+  struct Body {
+    std::uint32_t place = 0;  // among those that moved, if it is one of them: has_moved()
     bool is_there = false;
-    bool is_told = false;   // to the broadphase
-    std::size_t place = 0;  // among those that moved, if it is one of them: has_moved()
+    bool is_told = false;  // to the broadphase
   };
 
   using Proxies = std::vector<const Proxy*>;
@@ -83,8 +83,8 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
   void add_unseen(Proxies& proxies) const;
 
   Proxy& take_proxy();
-  bool has_moved(const Proxy& proxy) const;
-  void forget_move(Proxy& proxy);
+  bool has_moved(cellsweep::BodyId id) const;
+  void forget_move(cellsweep::BodyId id);
   cellsweep::Status tell_changes();
   cellsweep::Status tell_removed();
   cellsweep::Status tell_created();
@@ -96,9 +96,10 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
   cellsweep::Status status_;
   bool has_seen_all_ = true;  // that the broadphase was told: its last update was not refused
   btHashedOverlappingPairCache pairs_;
-  bool callback_decides_ = false;        // the pair cache's, when filters were last told
-  bool offers_all_ = false;              // what one way to decide refused, another may allow
-  std::deque<Proxy> proxies_;            // by id; they stay where they are
+  bool callback_decides_ = false;  // the pair cache's, when filters were last told
+  bool offers_all_ = false;        // what one way to decide refused, another may allow
+  ProxyPool proxies_;
+  std::vector<Body> bodies_;             // by id
   std::vector<cellsweep::BodyId> free_;  // ids
   std::vector<cellsweep::BodyId> gone_;  // ids that are free when the next update has succeeded
   // What the next update is to be told, by id.
