@@ -43,7 +43,7 @@ class Cast {
       far = axis + 3 * (1 - goes_down);
       front = sides[goes_down];
       back = sides[1 - goes_down];
-      if (std::fabs(direction) > 0x1p-500) inverse = 1 / direction;
+      if (has_inverse(direction)) inverse = 1 / direction;
     }
 
     float low;
@@ -56,6 +56,9 @@ class Cast {
     std::size_t far;
   };
 
+  /// Whether no time of a touch, a gap between floats over the direction, overflows.
+  static bool has_inverse(double direction) { return std::fabs(direction) > 0x1p-500; }
+
   explicit Cast(const Path& path)
       : axes_{Axis(path, 0), Axis(path, 1), Axis(path, 2)},
         end_(path.end),
@@ -66,23 +69,24 @@ class Cast {
 
   /// When the path touches a box first, if it does up to `end`.
   std::optional<double> touch(const Aabb& box, double end) const {
-    if (misses(about(box, end))) return std::nullopt;
-    return touch_exactly(box, end);
+    const Times times = about(box, end);
+    if (misses(times)) return std::nullopt;
+    return touches_for_certain(times) ? first_time(times, box) : touch_exactly(box, end);
   }
 
   /// Whether touch() finds a time.
   bool touches(const Aabb& box, double end) const {
     const Times times = about(box, end);
     if (misses(times)) return false;
-    if (moves_on_all_ && times.enter * (1 + 2 * kSlack) <= times.leave * (1 - 2 * kSlack)) return true;
-    return touch_exactly(box, end).has_value();
+    return touches_for_certain(times) || touch_exactly(box, end).has_value();
   }
 
  private:
   static constexpr double kSlack = 0x1p-51;
 
-  /// When a path has come to a box on all axes, and when it has left it on one.
+  /// When a path has come to a box on each axis and on all, and when it has left it on one.
   struct Times {
+    double enters[3];
     double enter;
     double leave;
   };
@@ -117,10 +121,12 @@ class Cast {
 
   // Without a division: off by less than kSlack.
   Times about(const Aabb& box, double end) const {
-    Times times{0, end};
-    for (const Axis& axis : axes_) {
+    Times times{{}, 0, end};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Axis& axis = axes_[k];
       if (axis.inverse == 0) continue;
-      times.enter = std::max(times.enter, gap_before(axis, box) * axis.inverse);
+      times.enters[k] = gap_before(axis, box) * axis.inverse;
+      times.enter = std::max(times.enter, times.enters[k]);
       times.leave = std::min(times.leave, gap_behind(axis, box) * axis.inverse);
     }
     return times;
@@ -129,6 +135,30 @@ class Cast {
   // Nearly all boxes that it does not touch.
   static bool misses(const Times& about) {
     return about.leave < 0 || about.enter * (1 - 2 * kSlack) > about.leave * (1 + 2 * kSlack);
+  }
+
+  // Most boxes that it does touch.
+  bool touches_for_certain(const Times& about) const {
+    return moves_on_all_ && about.enter * (1 + 2 * kSlack) <= about.leave * (1 - 2 * kSlack);
+  }
+
+  // When the path comes to a box on the axis on which it does last. Only where it does at nearly the same
+  // time on another one it takes divisions to tell which that is.
+  double first_time(const Times& about, const Aabb& box) const {
+    const auto& [x, y, z] = about.enters;
+    const double second = std::max(std::min(x, y), std::min(std::max(x, y), z));
+    if (second >= about.enter * (1 - 2 * kSlack)) return first_exactly(box);
+    const std::size_t of_two = y > x ? 1 : 0;
+    return std::max(0.0, enters_exactly(z > about.enters[of_two] ? axes_[2] : axes_[of_two], box));
+  }
+
+  double first_exactly(const Aabb& box) const {
+    double first = 0;
+    for (const Axis& axis : axes_) first = std::max(first, enters_exactly(axis, box));
+    return first;
+  }
+  static double enters_exactly(const Axis& axis, const Aabb& box) {
+    return gap_before(axis, box) / axis.direction;
   }
 
   static double earlier(double time, double slack) { return time * (time > 0 ? 1 - slack : 1 + slack); }

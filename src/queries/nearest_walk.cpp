@@ -78,7 +78,7 @@ class NearestWalk {
       static_cast<NearestWalk*>(self)->look_at_bodies(node, {keys, count});
       return true;
     };
-    world_.kernels().near_tree(tree.nodes(), numbers_, {take, this});
+    world_.kernels().trees->near(tree.nodes(), numbers_, {take, this});
   }
 
   void scan() {
@@ -171,7 +171,7 @@ class NearestWalk {
       look_at_nearest(keys, one, is_here);
     } else {
       std::array<double, TreeNode::kBoxes> distances;  // NOLINT(*-member-init): the kernel writes all
-      world_.kernels().node_distances(node, box_, distances.data());
+      world_.kernels().trees->distances(node, box_, distances.data());
       const auto one = [&](std::uint32_t place) { return Measured{node.content[place], distances[place]}; };
       look_at_nearest(keys, one, is_here);
     }

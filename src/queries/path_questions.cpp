@@ -13,6 +13,21 @@ namespace {
 
 using Candidates = std::span<const Candidate>;
 
+/// A path's Cast, made when it meets a box: not all do.
+class CastWhenMet {
+ public:
+  explicit CastWhenMet(const Path& path) : path_(path) {}
+
+  const Cast* operator->() {
+    if (!cast_) cast_.emplace(path_);
+    return &*cast_;
+  }
+
+ private:
+  const Path& path_;
+  std::optional<Cast> cast_;
+};
+
 bool comes_before(const Touch& one, const Touch& other) {
   return one.time != other.time ? one.time < other.time : one.body < other.body;
 }
@@ -23,7 +38,7 @@ bool comes_before(const Touch& one, const Touch& other) {
 void list_touches(const Asked& asked, const Path& path, std::vector<Touch>& found) {
   const auto before = static_cast<std::ptrdiff_t>(found.size());
   const Cast cast(path);
-  walk_path(asked.world, cast, [&](Candidates candidates) {
+  walk_path(asked.world, path, [&](Candidates candidates) {
     for (const auto& [slot, box] : candidates) {
       const auto time = cast.touch(box, path.end);
       if (time && asked.world.may_be_answer(asked.filter, slot))
@@ -45,7 +60,7 @@ void visit_touches(const Asked& asked, const Path& path, FunctionRef<double(cons
   std::unordered_set<Slot> seen;
   const Cast cast(path);
   double end = path.end;
-  walk_path(asked.world, cast, [&](Candidates candidates) {
+  walk_path(asked.world, path, [&](Candidates candidates) {
     for (const auto& [slot, box] : candidates) {
       const auto time = cast.touch(box, end);
       if (!time || !seen.insert(slot).second || !asked.world.is_answer(asked.filter, slot)) continue;
@@ -58,31 +73,36 @@ void visit_touches(const Asked& asked, const Path& path, FunctionRef<double(cons
 
 bool any_touch(const Asked& asked, const Path& path) {
   bool any = false;
-  const Cast cast(path);
-  walk_path(asked.world, cast, [&](Candidates candidates) {
+  CastWhenMet cast(path);
+  const auto take = [&](Candidates candidates) {
     for (const auto& [slot, box] : candidates) {
-      if (!cast.touches(box, path.end) || !asked.world.is_answer(asked.filter, slot)) continue;
+      if (!cast->touches(box, path.end) || !asked.world.is_answer(asked.filter, slot)) continue;
       any = true;
       return -1.0;
     }
     return path.end;
-  });
+  };
+  const bool takes_everybody = !asked.filter.as && !asked.filter.predicate;
+  if (takes_everybody) return walk_to_any(asked.world, path, take) || any;
+  walk_path(asked.world, path, take);
   return any;
 }
 
 std::optional<Touch> first_touch(const Asked& asked, const Path& path) {
   std::optional<Touch> first;
-  const Cast cast(path);
-  walk_path(asked.world, cast, [&](Candidates candidates) {
+  CastWhenMet cast(path);
+  double end = path.end;
+  walk_path(asked.world, path, [&](Candidates candidates) {
     for (const auto& [slot, box] : candidates) {
-      const auto time = cast.touch(box, path.end);
+      const auto time = cast->touch(box, end);
       if (!time) continue;
-      if (first && *time > first->time) continue;
       const Touch touch{asked.world.id(slot), *time};
       if (first && !comes_before(touch, *first)) continue;
-      if (asked.world.is_answer(asked.filter, slot)) first = touch;
+      if (!asked.world.is_answer(asked.filter, slot)) continue;
+      first = touch;
+      end = touch.time;
     }
-    return first ? first->time : path.end;
+    return end;
   });
   return first;
 }

@@ -17,7 +17,7 @@ class PathTaker {
   /// Returns where the path ends from now on, not later than before; less than 0: nowhere.
   using Take = FunctionRef<double(std::span<const Candidate>)>;
 
-  PathTaker(const Cast& cast, Take take) : numbers_(cast), end_(cast.end()), take_(take) {}
+  PathTaker(const Path& path, Take take) : numbers_(path), end_(path.end), take_(take) {}
 
   const CastNumbers& numbers() const { return numbers_.numbers(); }
   double end() const { return end_; }

@@ -25,7 +25,7 @@ class RegionWalk {
     const auto take = [](void* self, const TreeNode& node, std::uint32_t bodies) {
       return static_cast<RegionWalk*>(self)->give_bodies_of(node, bodies);
     };
-    kernels_.overlap_tree(tree.nodes(), box_, {take, this});
+    kernels_.trees->overlap(tree.nodes(), box_, {take, this});
     return goes_on_;
   }
 

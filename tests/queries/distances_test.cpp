@@ -68,7 +68,7 @@ TEST_P(Distances, OfANodesBoxesAreToo) {
     }
     const Aabb from = some_box(random);
     std::array<double, TreeNode::kBoxes> distances;
-    query_kernels(GetParam()).node_distances(node, from, distances.data());
+    query_kernels(GetParam()).trees->distances(node, from, distances.data());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       EXPECT_EQ(std::bit_cast<std::uint64_t>(distances[i]),
                 std::bit_cast<std::uint64_t>(distance_of(from, boxes[i])));

@@ -86,6 +86,6 @@ struct Avx512TaggedLanes : Avx512QueryLanes {
 }  // namespace
 
 constinit const QueryKernels kAvx512Queries =
-    make_query_kernels<Avx512TaggedLanes, Avx512QueryLanes, Avx2QueryLanes>(VectorIsa::avx512);
+    make_query_kernels<Avx512TaggedLanes, Avx512QueryLanes, Avx2QueryLanes>(VectorIsa::avx512, kAvx2Trees);
 
 }  // namespace cellsweep::queries

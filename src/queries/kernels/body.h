@@ -7,6 +7,7 @@
 #include "queries/kernels/kernel.h"
 #include "queries/kernels/lanes.h"
 #include "queries/kernels/rank.h"
+#include "queries/kernels/tree_paths.h"
 #include "queries/kernels/tree_walk.h"
 
 namespace cellsweep::queries {
@@ -16,16 +17,22 @@ inline bool is_tagged(const BoxRow& row) {
   return row.step == sizeof(stream::TaggedBox);
 }
 
-/// `Tagged` are the lanes for boxes of cells, `Plain` for others, `Nodes` for those of a tree's nodes.
-template <class Tagged, class Plain, class Nodes>
-constexpr QueryKernels make_query_kernels(VectorIsa isa) {
+template <class Lanes>
+constexpr TreeKernels make_tree_kernels() {
+  return {walk_tree_for_overlaps<Lanes>, walk_tree_on_path<Lanes>, walk_tree_for_near<Lanes>,
+          walk_tree_to_any<Lanes>, node_distances<Lanes>};
+}
+
+/// `Tagged` are the lanes for boxes of cells, `Plain` for others, `Few` for what is quicker in few lanes.
+template <class Tagged, class Plain, class Few>
+constexpr QueryKernels make_query_kernels(VectorIsa isa, const TreeKernels& trees) {
   static_assert(Tagged::kCount <= kMostLanes && kRowBoxes % Tagged::kCount == 0);
   return {isa,
           [](const BoxRow& row, const Aabb& box, std::uint32_t* places) {
             return is_tagged(row) ? find_overlaps<Tagged>(row, box, places)
                                   : find_overlaps<Plain>(row, box, places);
           },
-          find_overlaps<Nodes>,
+          find_overlaps<Few>,
           [](const BoxRow& row, const CastNumbers& path, std::uint32_t* places) {
             return is_tagged(row) ? find_on_path<Tagged>(row, path, places)
                                   : find_on_path<Plain>(row, path, places);
@@ -34,18 +41,9 @@ constexpr QueryKernels make_query_kernels(VectorIsa isa) {
             return is_tagged(row) ? find_near<Tagged>(row, question, keys)
                                   : find_near<Plain>(row, question, keys);
           },
-          walk_tree_for_overlaps<Nodes>,
-          [](const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
-            if (path.is_flat) {
-              walk_tree_on_path<Nodes, true>(nodes, path, take);
-            } else {
-              walk_tree_on_path<Nodes, false>(nodes, path, take);
-            }
-          },
-          walk_tree_for_near<Nodes>,
-          distances<Nodes>,
-          node_distances<Nodes>,
-          rank<Nodes::kCount>};
+          distances<Few>,
+          rank<Few::kCount>,
+          &trees};
 }
 
 }  // namespace

@@ -35,13 +35,15 @@ struct BoxRow {
 /// A Path in floats, its direction scaled so that the largest component is at least 1 and less than 2; times
 /// are in lengths of that. Which way it goes is known beforehand: nobody could foretell a branch at each box.
 struct CastNumbers {
-  unsigned near[3];  ///< the face of boxes, of six, that it comes to first
-  float front[3];    ///< its own side that comes to that face
-  float back[3];     ///< its own side that leaves a box at the other one
-  float inverse[3];  ///< of the direction; 0 on an axis along which the path does not move, or hardly
+  unsigned goes_down;  ///< a bit for each axis on which it comes to the maxima of boxes first
+  float front[3];      ///< its own side that comes to the first face
+  float back[3];       ///< its own side that leaves a box at the other one
+  float inverse[3];    ///< of the direction; 0 on an axis along which the path does not move, or hardly
   float end;
-  bool is_flat;   ///< there is such an axis; what follows has numbers then only
-  float wide[3];  ///< infinity on such an axis, or 0
+  float certain_end;    ///< not after the end, as `end` is not before it
+  bool can_be_certain;  ///< whether kernels can tell that it touches a box
+  bool is_flat;         ///< there is such an axis; what follows has numbers then only
+  float wide[3];        ///< infinity on such an axis, or 0
   float low[3];   ///< a box must reach above this and below the other, which say where the path ever is on
   float high[3];  ///< such an axis; infinite on others
 };
@@ -65,6 +67,22 @@ struct TakeNearBodies {
   void* self;
 };
 
+/// Those for the tree of boxes, which are as quick with eight lanes as with more. Nodes that a path comes to
+/// first, or that are nearer, come before others.
+struct TreeKernels {
+  /// Bodies that may be answers, and some more, as of the kernels below.
+  void (*overlap)(const TreeNode* nodes, const Aabb& box, const TakeBodies& take);
+  void (*cast)(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take);
+  void (*near)(const TreeNode* nodes, const NearNumbers& question, const TakeNearBodies& take);
+
+  /// For paths that can be certain, where every body is an answer. True: the path touches one for certain,
+  /// and nobody need be asked. Else as `cast`.
+  bool (*any)(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take);
+
+  /// How far all boxes of a node are from one: distance_of() of each.
+  void (*distances)(const TreeNode& node, const Aabb& from, double* distances);
+};
+
 /// The kernels of one instruction set. Each of the first four writes the places in the row of all boxes that
 /// may be answers and some more, which rounding made look like some, and returns how many these are. A box of
 /// NaN is none. There is room for a whole vector behind kRowBoxes places.
@@ -84,22 +102,15 @@ struct QueryKernels {
   /// distance: keys ascend as these do.
   std::uint32_t (*near)(const BoxRow& row, const NearNumbers& question, std::uint64_t* keys);
 
-  /// The same for the bodies of a tree. Nodes that a path comes to first, or that are nearer, come before
-  /// others.
-  void (*overlap_tree)(const TreeNode* nodes, const Aabb& box, const TakeBodies& take);
-  void (*cast_tree)(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take);
-  void (*near_tree)(const TreeNode* nodes, const NearNumbers& question, const TakeNearBodies& take);
-
   /// How far boxes by slot are from one: distance_of() of each. Behind the last distance there is room for
   /// kDistancesAtOnce.
   void (*distances)(const Aabb* boxes, const std::uint32_t* slots, std::uint32_t count, const Aabb& from,
                     double* distances);
-  /// The same of all boxes of a node.
-  void (*node_distances)(const TreeNode& node, const Aabb& from, double* distances);
-
   /// The place of each of at most kMostRanked numbers in their order. No two of them are the same; behind the
   /// last number and the last place there is room for kRankedAtOnce.
   void (*rank)(const std::int32_t* numbers, std::uint32_t count, std::uint32_t* places);
+
+  const TreeKernels* trees;
 };
 
 /// Those of an instruction set that the machine has, or the widest below it that there are.

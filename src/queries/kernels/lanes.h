@@ -92,7 +92,7 @@ struct CastLanes {
 
   explicit CastLanes(const CastNumbers& path) : end(all<Lanes>(path.end)) {
     for (unsigned axis = 0; axis < 3; ++axis) {
-      const bool goes_up = path.near[axis] == axis;
+      const bool goes_up = (path.goes_down >> axis & 1) == 0;
       from_min[axis] = all<Lanes>(goes_up ? path.front[axis] : path.back[axis]);
       from_max[axis] = all<Lanes>(goes_up ? path.back[axis] : path.front[axis]);
       inverse[axis] = all<Lanes>(path.inverse[axis]);

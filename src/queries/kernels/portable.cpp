@@ -31,7 +31,9 @@ struct PortableQueryLanes : LanesInOrder<4> {
 
 }  // namespace
 
+constinit const TreeKernels kPortableTrees = make_tree_kernels<PortableQueryLanes>();
 constinit const QueryKernels kPortableQueries =
-    make_query_kernels<PortableQueryLanes, PortableQueryLanes, PortableQueryLanes>(VectorIsa::portable);
+    make_query_kernels<PortableQueryLanes, PortableQueryLanes, PortableQueryLanes>(VectorIsa::portable,
+                                                                                   kPortableTrees);
 
 }  // namespace cellsweep::queries

@@ -7,9 +7,11 @@
 namespace cellsweep::queries {
 
 extern const QueryKernels kPortableQueries;
+extern const TreeKernels kPortableTrees;
 #ifdef CELLSWEEP_X86_KERNELS
 extern const QueryKernels kAvx2Queries;
 extern const QueryKernels kAvx512Queries;
+extern const TreeKernels kAvx2Trees;  ///< AVX-512 has none of its own
 #endif
 
 }  // namespace cellsweep::queries

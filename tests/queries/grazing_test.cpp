@@ -1,0 +1,99 @@
+/// @file
+/// Paths that just touch a box or just miss it, come to it on several axes at about the same time, or end
+/// about where they do: closer than floats tell. Answers are those of the reference, to the last bit.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cellsweep/broadphase.h"
+#include "cellsweep/options.h"
+#include "contract/random.h"
+#include "queries/reference.h"
+
+namespace cellsweep::queries {
+namespace {
+
+using contract::Random;
+
+Aabb box_near_0(Random& random) {
+  Aabb box;
+  const float scale = random.one_in(4) ? 1e-30F : 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.min[axis] = random.between(-8, 8) * scale;
+    box.max[axis] = box.min[axis] + (random.one_in(4) ? 0 : random.unit() * scale);
+  }
+  return box;
+}
+
+// On all axes on which the path is on its way to the box, as far as doubles can say so.
+void come_at_once(Path& path, const Aabb& box, double time) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double above = double{box.min[axis]} - path.box.max[axis];
+    const double below = double{box.max[axis]} - path.box.min[axis];
+    const double gap = above > 0 ? above : std::fmin(below, 0);
+    if (path.direction[axis] != 0) path.direction[axis] = gap / time;
+  }
+}
+
+// From somewhere through a corner of the box, or through an edge, as far as floats can say so.
+Path path_past(Random& random, const Aabb& box) {
+  Path path;
+  path.end = std::numeric_limits<double>::infinity();
+  const std::size_t along = random.below(6);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    float through = random.one_in(2) ? box.min[axis] : box.max[axis];
+    if (axis == along) through += random.unit() * (box.max[axis] - box.min[axis]);
+    path.direction[axis] = random.one_in(6) ? 0 : random.between(-1, 1);
+    if (random.one_in(12)) path.direction[axis] *= 0x1p-70;
+    const float extent = random.one_in(3) ? random.unit() : 0;
+    path.box.min[axis] = through - static_cast<float>(path.direction[axis] * random.unit() * 8);
+    path.box.max[axis] = path.box.min[axis] + extent;
+  }
+  if (random.one_in(3)) come_at_once(path, box, random.unit() + 1);
+  if (path.direction == std::array<double, 3>{}) path.direction[0] = 1;
+  return path;
+}
+
+std::optional<Touch> expected_touch(const Path& path, const Aabb& box) {
+  const auto time = touch_time(path, box);
+  return time ? std::optional(Touch{0, *time}) : std::nullopt;
+}
+
+class Grazing : public testing::TestWithParam<VectorIsa> {};
+
+TEST_P(Grazing, PathsAreAnsweredToTheLastBit) {
+  constexpr int kBoxes = contract::effort(2000, 300, 50);
+  Random random(3);
+  for (int i = 0; i < kBoxes; ++i) {
+    const Aabb box = box_near_0(random);
+    auto broadphase = std::move(*make_broadphase(StreamOptions{.isa = GetParam()}));
+    ASSERT_TRUE(broadphase.insert(0, box).ok());
+    ASSERT_TRUE(broadphase.update().ok());
+    const Queries queries = broadphase.queries();
+    for (int j = 0; j < 50; ++j) {
+      if (j == 5) queries.prepare();
+      Path path = path_past(random, box);
+      const double end = touch_time(path, box).value_or(1);
+      for (const double share : {2.0, 1 + 1e-7, 1 + 1e-12, 1.0, 1 - 1e-12, 1 - 1e-7, 0.0}) {
+        path.end = share * end;
+        const auto expected = expected_touch(path, box);
+        EXPECT_EQ(*queries.first_touch(path), expected) << "box " << i << ", path " << j << ", " << share;
+        EXPECT_EQ(*queries.any_touch(path), expected.has_value()) << i << ", path " << j << ", " << share;
+        std::vector<Touch> found;
+        ASSERT_TRUE(queries.find_touches(path, found).ok());
+        EXPECT_EQ(found.size(), expected ? 1 : 0) << i << ", path " << j << ", " << share;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, Grazing,
+                         testing::Values(VectorIsa::portable, VectorIsa::avx2, VectorIsa::avx512));
+
+}  // namespace
+}  // namespace cellsweep::queries
