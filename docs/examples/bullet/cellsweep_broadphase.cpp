@@ -63,7 +63,7 @@ void CellsweepBroadphase::destroyProxy(btBroadphaseProxy* base, btDispatcher* di
 // came.
 void CellsweepBroadphase::setAabb(btBroadphaseProxy* base, const btVector3& aabb_min,
                                   const btVector3& aabb_max, btDispatcher*) {
-  constexpr std::size_t kAhead = 16;
+  constexpr std::size_t kAhead = 32;
   auto& proxy = static_cast<Proxy&>(*base);
   const BodyId id = proxy.id();
   if (id + kAhead < proxies_.size()) prefetch(proxies_[id + kAhead]);

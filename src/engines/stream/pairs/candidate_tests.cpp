@@ -133,16 +133,23 @@ void test_all(const Run& run, const Aabb* boxes, TestOutput& output) {
 /// Tests those with a fresh box. Which these are nobody can foretell: a list of them is made without a
 /// branch.
 void test_fresh(const Run& run, const TestedBoxes& tested, TestOutput& output) {
-  std::array<std::uint16_t, tuning::kRun> picked;  // NOLINT(*-member-init): written before it is read
+  constexpr std::size_t kRoom = tuning::kRun + tuning::kAhead;
+  std::array<std::uint16_t, kRoom> picked;  // NOLINT(*-member-init): written before it is read
   std::size_t count = 0;
   for (std::size_t i = 0; i < run.count; ++i) {
     const SlotPair pair = run.candidates[i];
     picked[count] = static_cast<std::uint16_t>(i);
     count += (tested.fresh[pair.a] | tested.fresh[pair.b]) != 0 ? 1 : 0;
   }
+  // And those behind the run, whose boxes are on their way then.
+  const std::size_t last = run.candidates.size() - 1;
+  for (std::size_t k = 0; k < tuning::kAhead; ++k)
+    picked[count + k] = static_cast<std::uint16_t>(std::min(run.count + k, last));
   std::memmove(output.marks, run.old_marks, run.count);
   for (std::size_t k = 0; k < count; ++k) {
-    __builtin_prefetch(&tested.boxes[run.candidates[picked[std::min(k + tuning::kAhead, count - 1)]].b]);
+    const SlotPair ahead = run.candidates[picked[k + tuning::kAhead]];
+    __builtin_prefetch(&tested.boxes[ahead.a]);
+    __builtin_prefetch(&tested.boxes[ahead.b]);
     const SlotPair pair = run.candidates[picked[k]];
     std::uint8_t& mark = output.marks[picked[k]];
     const bool was = mark != 0;
