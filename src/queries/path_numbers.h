@@ -52,7 +52,7 @@ class PathNumbers {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) >> 52 << 52);
   }
   static double inverse_of_power(double power) {
-    constexpr std::uint64_t kOneTwice = std::uint64_t{2 * 1023} << 52;  // the bits of 1, exponents added
+    constexpr std::uint64_t kOneTwice = std::uint64_t{2046} << 52;  // the bits of 1, exponents added
     return std::bit_cast<double>(kOneTwice - std::bit_cast<std::uint64_t>(power));
   }
 
