@@ -20,7 +20,7 @@ namespace cellsweep::queries {
 /// A path's numbers for kernels, and how their time is counted.
 class PathNumbers {
  public:
-  explicit PathNumbers(const Path& path) : scale_(power_of_two(largest_component(path))) {
+  explicit PathNumbers(const Path& path) : scale_(2 * power_of_two(largest_component(path))) {
     const double inverse_scale = inverse_of_power(scale_);
     numbers_.goes_down = 0;
     numbers_.is_flat = false;

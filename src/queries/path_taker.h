@@ -6,17 +6,14 @@
 #include <new>
 #include <span>
 
-#include "cellsweep/function_ref.h"
 #include "queries/path_numbers.h"
+#include "queries/path_walk.h"
 #include "queries/world.h"
 
 namespace cellsweep::queries {
 
 class PathTaker {
  public:
-  /// Returns where the path ends from now on, not later than before; less than 0: nowhere.
-  using Take = FunctionRef<double(std::span<const Candidate>)>;
-
   PathTaker(const Path& path, Take take) : numbers_(path), end_(path.end), take_(take) {}
 
   const CastNumbers& numbers() const { return numbers_.numbers(); }

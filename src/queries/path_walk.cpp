@@ -19,21 +19,25 @@ bool give_bodies(void* taker, const TreeNode& node, std::uint32_t bodies) {
   return to.give(count);
 }
 
-}  // namespace
-
-void walk_path(const World& world, const Path& path, Take take) {
-  PathTaker taker(path, take);
+void walk(const World& world, const Path& path, PathTaker& taker) {
   if (const BoxTree* const tree = world.tree())
     return world.kernels().trees->cast(tree->nodes(), taker.numbers(), {give_bodies, &taker});
   pay_for_tree(world,
                world.root() != nullptr ? walk_cells(world, Cast(path), taker) : scan_boxes(world, taker));
 }
 
+}  // namespace
+
+void walk_path(const World& world, const Path& path, Take take) {
+  PathTaker taker(path, take);
+  walk(world, path, taker);
+}
+
 bool walk_to_any(const World& world, const Path& path, Take take) {
   PathTaker taker(path, take);
   if (const BoxTree* const tree = world.tree(); tree != nullptr && taker.numbers().can_be_certain)
     return world.kernels().trees->any(tree->nodes(), taker.numbers(), {give_bodies, &taker});
-  walk_path(world, path, take);
+  walk(world, path, taker);
   return false;
 }
 

@@ -10,11 +10,11 @@
 
 namespace cellsweep::queries {
 
+/// Returns where the path ends from now on, not later than before; less than 0: nowhere.
 using Take = FunctionRef<double(std::span<const Candidate>)>;
 
-/// Calls `take` with bodies, those along the first part of the path before others mostly, and ends the path
-/// where it returns, which must not be later than before; less than 0 ends the walk. Every body that the path
-/// touches up to its end is among them, several times perhaps, and others are.
+/// Calls `take` with bodies, those along the first part of the path before others mostly. Every body that the
+/// path touches up to its end is among them, several times perhaps, and others are.
 void walk_path(const World& world, const Path& path, Take take);
 
 /// The same for one who takes any body as an answer and wants no more than one: true, and nobody need look,

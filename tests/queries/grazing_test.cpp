@@ -3,6 +3,7 @@
 /// about where they do: closer than floats tell. Answers are those of the reference, to the last bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -20,9 +21,13 @@ namespace {
 
 using contract::Random;
 
+/// Of coordinates so large that gaps between them are no floats.
+constexpr float kFar = 3.5e37F;
+
 Aabb box_near_0(Random& random) {
   Aabb box;
-  const float scale = random.one_in(4) ? 1e-30F : 1;
+  constexpr float kScales[] = {1, 1, 1e-30F, kFar};
+  const float scale = kScales[random.below(4)];
   for (std::size_t axis = 0; axis < 3; ++axis) {
     box.min[axis] = random.between(-8, 8) * scale;
     box.max[axis] = box.min[axis] + (random.one_in(4) ? 0 : random.unit() * scale);
@@ -45,16 +50,19 @@ Path path_past(Random& random, const Aabb& box) {
   Path path;
   path.end = std::numeric_limits<double>::infinity();
   const std::size_t along = random.below(6);
+  const bool is_far = box.max[0] - box.min[0] > 1e30F || random.one_in(6);
+  const double way = random.unit() * 8 * double{is_far ? kFar : 1};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     float through = random.one_in(2) ? box.min[axis] : box.max[axis];
     if (axis == along) through += random.unit() * (box.max[axis] - box.min[axis]);
     path.direction[axis] = random.one_in(6) ? 0 : random.between(-1, 1);
     if (random.one_in(12)) path.direction[axis] *= 0x1p-70;
     const float extent = random.one_in(3) ? random.unit() : 0;
-    path.box.min[axis] = through - static_cast<float>(path.direction[axis] * random.unit() * 8);
+    const double from = through - path.direction[axis] * way;
+    path.box.min[axis] = static_cast<float>(std::clamp(from, -8.0 * kFar, 8.0 * kFar));
     path.box.max[axis] = path.box.min[axis] + extent;
   }
-  if (random.one_in(3)) come_at_once(path, box, random.unit() + 1);
+  if (random.one_in(3)) come_at_once(path, box, random.unit() + 2);
   if (path.direction == std::array<double, 3>{}) path.direction[0] = 1;
   return path;
 }
@@ -89,6 +97,23 @@ TEST_P(Grazing, PathsAreAnsweredToTheLastBit) {
         EXPECT_EQ(found.size(), expected ? 1 : 0) << i << ", path " << j << ", " << share;
       }
     }
+  }
+}
+
+// The gap on the first axis is no float, though when the path comes to the box would be one.
+TEST_P(Grazing, GapsMayBeLargerThanFloats) {
+  const Aabb box{{1e38F, -1e37F, -1}, {1.1e38F, 5e37F, 1}};
+  const Ray ray{{-3e38F, -2e38F, 0}, {1.96, 1, 0}};
+  auto broadphase = std::move(*make_broadphase(StreamOptions{.isa = GetParam()}));
+  ASSERT_TRUE(broadphase.insert(0, box).ok());
+  ASSERT_TRUE(broadphase.update().ok());
+  const Queries queries = broadphase.queries();
+  const auto expected = expected_touch(ray, box);
+  ASSERT_TRUE(expected.has_value());
+  for (int time = 0; time < 2; ++time) {
+    EXPECT_EQ(*queries.first_touch(ray), expected);
+    EXPECT_TRUE(*queries.any_touch(ray));
+    queries.prepare();
   }
 }
 

@@ -32,8 +32,10 @@ struct BoxRow {
   std::uint32_t count = 0;  ///< at most kRowBoxes
 };
 
-/// A Path in floats, its direction scaled so that the largest component is at least 1 and less than 2; times
-/// are in lengths of that. Which way it goes is known beforehand: nobody could foretell a branch at each box.
+/// A Path in floats, its direction scaled so that the largest component is at least a half and at most 1;
+/// times are in lengths of that. None is shorter than the way on an axis: where a gap is too large for a
+/// float, so is the time that it takes. Which way it goes is known beforehand: nobody could foretell a branch
+/// at each box.
 struct CastNumbers {
   unsigned goes_down;  ///< a bit for each axis on which it comes to the maxima of boxes first
   float front[3];      ///< its own side that comes to the first face
@@ -106,6 +108,7 @@ struct QueryKernels {
   /// kDistancesAtOnce.
   void (*distances)(const Aabb* boxes, const std::uint32_t* slots, std::uint32_t count, const Aabb& from,
                     double* distances);
+
   /// The place of each of at most kMostRanked numbers in their order. No two of them are the same; behind the
   /// last number and the last place there is room for kRankedAtOnce.
   void (*rank)(const std::int32_t* numbers, std::uint32_t count, std::uint32_t* places);

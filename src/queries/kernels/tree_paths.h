@@ -35,17 +35,19 @@ class CastAtNode {
   /// A bit for each box of the node that the path may touch, and when it does at the earliest. What is said
   /// of places where there is no box means nothing.
   std::uint32_t test(const TreeNode& node, float (&enter)[TreeNode::kBoxes]) const {
-    return test_each(enter, [&](unsigned place, Vector& enters) {
+    return test_each([&](unsigned place) {
+      Vector enters;
       const Vector leaves = times(node, place, enters_by_, leaves_by_, end_, enters);
+      __builtin_memcpy(enter + place, &enters, sizeof(enters));
       return Lanes::bits(Lanes::less_equal(enters, leaves));
     });
   }
 
   /// Whether the path touches one of these for certain, which test() found. Only where its numbers tell.
   bool is_certain(const TreeNode& node, std::uint32_t bodies) const {
-    float enter[TreeNode::kBoxes];
     // Numbers that are too small for a normal one may come out as the same: less, not less or equal.
-    const std::uint32_t others = test_each(enter, [&](unsigned place, Vector& enters) {
+    const std::uint32_t others = test_each([&](unsigned place) {
+      Vector enters;
       const Vector leaves = times(node, place, leaves_by_, enters_by_, certain_end_, enters);
       return Lanes::bits(Lanes::less_equal(leaves, enters));
     });
@@ -63,13 +65,9 @@ class CastAtNode {
   }
 
   template <class Test>
-  static std::uint32_t test_each(float (&enter)[TreeNode::kBoxes], const Test& test) {
+  static std::uint32_t test_each(const Test& test) {
     std::uint32_t bits = 0;
-    for (unsigned first = 0; first < TreeNode::kBoxes; first += Lanes::kCount) {
-      Vector enters;
-      bits |= test(first, enters) << first;
-      __builtin_memcpy(enter + first, &enters, sizeof(enters));
-    }
+    for (unsigned first = 0; first < TreeNode::kBoxes; first += Lanes::kCount) bits |= test(first) << first;
     return bits;
   }
 
