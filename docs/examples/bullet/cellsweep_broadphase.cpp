@@ -29,11 +29,19 @@ CellsweepBroadphase::CellsweepBroadphase(cellsweep::Broadphase broadphase)
 Proxy& CellsweepBroadphase::take_proxy() {
   if (free_.empty()) {
     bodies_.resize(proxies_.size() + 1);
+    make_room_for(bodies_.capacity());
     return proxies_.add();
   }
   Proxy& proxy = proxies_[free_.back()];
   free_.pop_back();
   return proxy;
+}
+
+// A body is on each list at most once: with room for all, only a new body asks for memory between updates.
+void CellsweepBroadphase::make_room_for(std::size_t bodies) {
+  for (std::vector<BodyId>* const list : {&free_, &gone_, &removed_, &created_, &moved_})
+    list->reserve(bodies);
+  moved_boxes_.reserve(bodies);
 }
 
 btBroadphaseProxy* CellsweepBroadphase::createProxy(const btVector3& aabb_min, const btVector3& aabb_max, int,

@@ -83,6 +83,7 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
   void add_unseen(Proxies& proxies) const;
 
   Proxy& take_proxy();
+  void make_room_for(std::size_t bodies);
   bool has_moved(cellsweep::BodyId id) const;
   void forget_move(cellsweep::BodyId id);
   cellsweep::Status tell_changes();

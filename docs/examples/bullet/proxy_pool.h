@@ -6,7 +6,6 @@
 #include <cellsweep/pair.h>
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 /// A body of the broadphase, or a place for the next one. It has a line of the caches to itself: Bullet says
@@ -24,7 +23,7 @@ class ProxyPool {
   const Proxy& operator[](std::size_t id) const { return blocks_[id / kBlock][id % kBlock]; }
 
   Proxy& add() {
-    if (size_ == blocks_.size() * kBlock) blocks_.push_back(std::make_unique<Proxy[]>(kBlock));
+    if (size_ == blocks_.size() * kBlock) blocks_.emplace_back(kBlock);
     Proxy& proxy = (*this)[size_++];
     proxy.m_uniqueId = static_cast<int>(size_);
     return proxy;
@@ -33,6 +32,7 @@ class ProxyPool {
  private:
   static constexpr std::size_t kBlock = 1024;
 
-  std::vector<std::unique_ptr<Proxy[]>> blocks_;
+  // Not by new: Bullet's own for proxies, which Proxy has from its base, aligns to 16 bytes only.
+  std::vector<std::vector<Proxy>> blocks_;
   std::size_t size_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <random>
@@ -248,6 +249,10 @@ TEST_F(ProxiesOfBullet, MayGoBeforeAnybodyHeardOfThemAndTheirPlacesAreTakenAgain
   add(5);
   EXPECT_EQ(pairs(), 1);
   EXPECT_EQ(broadphase_.broadphase().size(), 3U);
+}
+
+TEST_F(ProxiesOfBullet, HaveALineOfTheCachesToThemselves) {
+  for (int i = 0; i < 5000; ++i) ASSERT_EQ(reinterpret_cast<std::uintptr_t>(add(btScalar(i))) % 64, 0U) << i;
 }
 
 TEST_F(ProxiesOfBullet, AreWhereTheyWereSaidToBeLast) {
