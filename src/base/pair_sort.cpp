@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/key_sort.h"
-#include "base/pair_of.h"
+#include "base/narrow_sort.h"
 #include "base/tuning.h"
 
 namespace cellsweep {
@@ -16,6 +16,7 @@ using Key = std::uint64_t;
 using tuning::kBuckets;
 using tuning::kNarrowest;
 using tuning::kOneStep;
+using tuning::kOneStepAlone;
 
 /// The numbers that some bodies have.
 struct Range {
@@ -55,28 +56,30 @@ struct Ranges {
   }
 };
 
-/// Keys in ascending order, narrowed. That is all there is to do for both kinds of pairs.
-struct SortedKeys {
-  std::span<const Key> narrowed;
-  Ranges ranges;
-
-  template <class AnyPair>
-  void write(AnyPair* to) const {
-    std::ranges::transform(narrowed, to, [&](Key key) { return pair_of<AnyPair>(ranges.widened(key)); });
-  }
-};
-
-/// `spare` is as long.
-SortedKeys sort_in_ranges(std::span<Key> keys, std::span<Key> spare, const Ranges& ranges) {
-  for (Key& key : keys) key = ranges.narrowed(key);
-  return {sort_keys(keys, spare, ranges.bits()), ranges};
+/// Pairs of either kind, as their numbers: all that is done here is done once for both.
+template <class AnyPair>
+std::uint32_t* numbers_of(Array<AnyPair>& pairs) {
+  static_assert(sizeof(AnyPair) == 2 * sizeof(std::uint32_t));
+  return reinterpret_cast<std::uint32_t*>(pairs.data());
 }
 
-SortedKeys sort_bucket(std::span<Key> keys, Array<Key>& spare) {
+/// `spare` is as long.
+void sort_in_ranges(std::span<Key> keys, std::span<Key> spare, const Ranges& ranges, std::uint32_t* numbers) {
+  for (Key& key : keys) key = ranges.narrowed(key);
+  for (const Key narrowed : sort_keys(keys, spare, ranges.bits())) {
+    const Key key = ranges.widened(narrowed);
+    *numbers++ = static_cast<std::uint32_t>(key >> 32);
+    *numbers++ = static_cast<std::uint32_t>(key);
+  }
+}
+
+void sort_bucket(std::span<Key> keys, Array<Key>& spare, std::uint32_t* numbers) {
   Ranges ranges;
   for (const Key key : keys) ranges.include(key);
+  const std::span<const Key> all = keys;
+  if (sort_narrow_pairs({&all, 1}, ranges.first.low, spare, numbers)) return;
   spare.renew(keys.size());
-  return sort_in_ranges(keys, spare.view(), ranges);
+  sort_in_ranges(keys, spare.view(), ranges, numbers);
 }
 
 /// The keys of several buffers cut into buckets of equally many first ids, by all workers.
@@ -165,11 +168,22 @@ Ranges gather(KeyParts parts, std::span<Key> keys) {
   return ranges;
 }
 
-SortedKeys sort_in_one_step(KeyParts parts, std::size_t total, Array<Key>& scratch) {
+void sort_in_one_step(KeyParts parts, std::size_t total, Array<Key>& scratch, std::uint32_t* numbers) {
+  if (sort_narrow_pairs(parts, 0, scratch, numbers)) return;
   scratch.renew(2 * total);
   const std::span<Key> keys = scratch.view().first(total);
   const Ranges ranges = gather(parts, keys);
-  return sort_in_ranges(keys, scratch.view().last(total), ranges);
+  sort_in_ranges(keys, scratch.view().last(total), ranges, numbers);
+}
+
+void sort_some_buckets(Crew& crew, std::span<const std::size_t> begins, Array<Key>& scratch,
+                       std::uint32_t* numbers) {
+  std::vector<Array<Key>> spares(crew.active());
+  const std::span<Key> keys = scratch.view();
+  crew.for_each(begins.size() - 1, 8, [&](unsigned worker, std::size_t i) {
+    const auto bucket = keys.subspan(begins[i], begins[i + 1] - begins[i]);
+    sort_bucket(bucket, spares[worker], numbers + 2 * begins[i]);
+  });
 }
 
 }  // namespace
@@ -187,13 +201,7 @@ std::vector<std::size_t> distribute_pairs(Crew& crew, KeyParts parts, Array<Key>
 template <class AnyPair>
 void sort_buckets(Crew& crew, std::span<const std::size_t> begins, std::size_t first, std::size_t count,
                   Array<Key>& scratch, Array<AnyPair>& sorted) {
-  std::vector<Array<Key>> spares(crew.active());
-  const std::span<Key> keys = scratch.view();
-  crew.for_each(count, 8, [&](unsigned worker, std::size_t i) {
-    const std::size_t begin = begins[first + i];
-    const auto bucket = keys.subspan(begin, begins[first + i + 1] - begin);
-    sort_bucket(bucket, spares[worker]).write(sorted.data() + begin);
-  });
+  sort_some_buckets(crew, begins.subspan(first, count + 1), scratch, numbers_of(sorted));
 }
 
 template <class AnyPair>
@@ -201,9 +209,9 @@ void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array
   const std::size_t total = count_keys(parts);
   sorted.renew(total);
   if (total == 0) return;
-  if (!are_sorted_in_parts(total)) return sort_in_one_step(parts, total, scratch).write(sorted.data());
-  const std::vector<std::size_t> begins = distribute_pairs(crew, parts, scratch);
-  sort_buckets(crew, begins, 0, begins.size() - 1, scratch, sorted);
+  if (total <= (crew.active() == 1 ? kOneStepAlone : kOneStep))
+    return sort_in_one_step(parts, total, scratch, numbers_of(sorted));
+  sort_some_buckets(crew, distribute_pairs(crew, parts, scratch), scratch, numbers_of(sorted));
 }
 
 template void sort_buckets(Crew&, std::span<const std::size_t>, std::size_t, std::size_t,
