@@ -2,6 +2,8 @@
 /// A box as two vectors of four, for what is asked of every box: three axes at a time, without branches.
 #pragma once
 
+#include <cfloat>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -21,6 +23,22 @@ inline Float4 load4(const Aabb& box, std::size_t skip) {
   Float4 vector;
   std::memcpy(&vector, reinterpret_cast<const char*>(&box) + skip * sizeof(float), sizeof vector);
   return vector;
+}
+
+template <class Vector, class Number>
+void store4(Vector vector, Number (&to)[4]) {
+  static_assert(sizeof to == sizeof vector);
+  std::memcpy(to, &vector, sizeof vector);
+}
+
+inline Float4 magnitude(Float4 values) {
+  return reinterpret_cast<Float4>(reinterpret_cast<Int4>(values) & 0x7fffffff);
+}
+
+/// canonical() of each lane.
+inline Float4 canonical(Float4 values) {
+  const Int4 is_normal = magnitude(values) >= FLT_MIN;
+  return reinterpret_cast<Float4>(reinterpret_cast<Int4>(values) & is_normal);
 }
 
 /// Lanes 0 to 2 are the axes; what lane 3 holds must not matter.

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "cellsweep/query.h"
+#include "geometry/box_lanes.h"
 #include "geometry/canonical.h"
 
 namespace cellsweep::queries {
@@ -26,13 +27,13 @@ inline bool is_direction(const std::array<double, 3>& direction) {
 }
 
 inline bool is_good(const Aabb& box) {
-  return is_valid(box);
+  return on_all_axes(clean_lanes(BoxLanes(box))) || is_valid(box);  // nearly all are clean
 }
 inline bool is_good(const Region& region) {
-  return is_valid(region.box) && region.distance >= 0;
+  return is_good(region.box) && region.distance >= 0;
 }
 inline bool is_good(const Path& path) {
-  return is_valid(path.box) && is_direction(path.direction) && path.end >= 0;
+  return is_good(path.box) && is_direction(path.direction) && path.end >= 0;
 }
 
 /// An ok status for a good question. `place` is that of the question in a batch.

@@ -10,23 +10,29 @@
 #include <limits>
 
 #include "cellsweep/query.h"
-#include "geometry/canonical.h"
+#include "geometry/box_lanes.h"
 #include "queries/arithmetic.h"
 #include "queries/kernels/kernel.h"
 #include "queries/outward.h"
 
 namespace cellsweep::queries {
 
-/// A path's numbers for kernels, and how their time is counted.
+/// A path's numbers for kernels, and how their time is counted. A walk waits for them: what it takes is how
+/// many operations follow each other, of which there are few, and nearly all for three axes at a time.
 class PathNumbers {
  public:
-  explicit PathNumbers(const Path& path) : scale_(2 * power_of_two(largest_component(path))) {
-    const double inverse_scale = inverse_of_power(scale_);
-    numbers_.goes_down = 0;
-    numbers_.is_flat = false;
+  explicit PathNumbers(const Path& path) {
+    const double largest = largest_component(path);
+    const Scale scale(largest);
+    scale_ = scale.factor;
+    const auto& [x, y, z] = path.direction;
+    const Float4 direction = {static_cast<float>(x * scale.inverse), static_cast<float>(y * scale.inverse),
+                              static_cast<float>(z * scale.inverse), 1};
+    set_axes(BoxLanes(path.box), direction);
     numbers_.can_be_certain = true;
-    for (unsigned axis = 0; axis < 3; ++axis) set_axis(path, inverse_scale, axis);
-    if (numbers_.is_flat) set_flat(path);
+    const Int4 flat = magnitude(direction) < kLeast;
+    numbers_.is_flat = on_any_axis(flat) || largest < kAllHaveInverses;
+    if (numbers_.is_flat) set_flat(path, flat);
     end(path.end);
     numbers_.certain_end = below(std::min(path.end * scale_, kFarthest));
   }
@@ -41,53 +47,76 @@ class PathNumbers {
  private:
   static constexpr double kFarthest = 1e38;
   static constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  /// Of a scaled direction, which a path that moves along an axis has there.
+  static constexpr float kLeast = 0x1p-60F;
+  /// Of the largest component: where another one has no inverse, it is less than kLeast.
+  static constexpr double kAllHaveInverses = 0x1p-400;
 
   static double largest_component(const Path& path) {
     constexpr double kSmall = 0x1p-1000;
     const auto& [x, y, z] = path.direction;
     return std::max(std::max(std::fabs(x), std::fabs(y)), std::max(std::fabs(z), kSmall));
   }
-  // The largest one that is not above the number.
-  static double power_of_two(double number) {
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) >> 52 << 52);
-  }
-  static double inverse_of_power(double power) {
-    constexpr std::uint64_t kOneTwice = std::uint64_t{2046} << 52;  // the bits of 1, exponents added
-    return std::bit_cast<double>(kOneTwice - std::bit_cast<std::uint64_t>(power));
+
+  /// The power of two above a number, made of its bits without a way through other registers.
+  struct Scale {
+    explicit Scale(double number) {
+      using Long2 [[gnu::vector_size(16)]] = std::int64_t;
+      using Double2 [[gnu::vector_size(16)]] = double;
+      constexpr std::int64_t kExponent = std::int64_t{0x7ff} << 52;
+      constexpr std::int64_t kTwice = std::int64_t{1} << 52;
+      constexpr std::int64_t kOneTwice = std::int64_t{2046} << 52;  // the bits of 1, exponents added
+      const Long2 power = (reinterpret_cast<Long2>(Double2{number, number}) & kExponent) + kTwice;
+      factor = reinterpret_cast<Double2>(power)[0];
+      inverse = reinterpret_cast<Double2>(kOneTwice - power)[0];
+    }
+
+    double factor;
+    double inverse;
+  };
+
+  // Nearly always right: on an axis along which the path does not move, set_flat() has the last word.
+  void set_axes(const BoxLanes& box, Float4 direction) {
+    const Int4 goes_down = direction < 0;
+    const Int4 to_maxima = goes_down & 3;
+    const Float4 min = canonical(box.min);
+    const Float4 max = canonical(box.max);
+    store4(Int4{0, 1, 2, 2} + to_maxima, numbers_.near);
+    store4(Int4{3, 4, 5, 5} - to_maxima, numbers_.far);
+    store4(goes_down ? min : max, numbers_.front);
+    store4(goes_down ? max : min, numbers_.back);
+    store4(1.0F / direction, numbers_.inverse);
+    store4(kSmaller / direction, numbers_.sooner);
+    store4(kLarger / direction, numbers_.later);
   }
 
-  void set_axis(const Path& path, double inverse_scale, unsigned axis) {
-    constexpr float kLeast = 0x1p-60F;
-    const double direction = path.direction[axis];
-    const float scaled = static_cast<float>(direction * inverse_scale);
-    const bool is_flat = std::fabs(scaled) < kLeast || !Cast::has_inverse(direction);
-    const unsigned goes_down = !is_flat && scaled < 0 ? 1 : 0;
-    const float sides[2] = {canonical(path.box.max[axis]), canonical(path.box.min[axis])};
-    numbers_.goes_down |= goes_down << axis;
-    numbers_.front[axis] = sides[goes_down];
-    numbers_.back[axis] = sides[1 - goes_down];
-    numbers_.inverse[axis] = is_flat ? 0 : 1 / scaled;
-    numbers_.is_flat = numbers_.is_flat || is_flat;
-    numbers_.can_be_certain = numbers_.can_be_certain && (!is_flat || direction == 0);
-  }
-
-  [[gnu::cold]] void set_flat(const Path& path) {
+  [[gnu::cold]] void set_flat(const Path& path, Int4 flat) {
+    numbers_.is_flat = false;
     for (unsigned axis = 0; axis < 3; ++axis) {
       numbers_.wide[axis] = 0;
       numbers_.low[axis] = -kInfinity;
       numbers_.high[axis] = kInfinity;
-      if (numbers_.inverse[axis] == 0) set_flat_axis(path, axis);
+      if (flat[axis] != 0 || !Cast::has_inverse(path.direction[axis])) set_flat_axis(path, axis);
     }
   }
 
+  // Boxes that do not reach where the path is are behind its end, and those that it has not left it never
+  // leaves. Such a side is 0 times infinity from one that it grazes, which is no bound.
   void set_flat_axis(const Path& path, unsigned axis) {
     const double direction = path.direction[axis];
     const double way = direction == 0 ? 0 : direction * path.end;
-    const float high = numbers_.front[axis];
-    const float low = numbers_.back[axis];
+    const float low = canonical(path.box.min[axis]);
+    const float high = canonical(path.box.max[axis]);
+    const auto minima = static_cast<std::int32_t>(axis);
+    numbers_.near[axis] = minima;
+    numbers_.far[axis] = minima + 3;
+    numbers_.inverse[axis] = 0;
+    numbers_.sooner[axis] = numbers_.later[axis] = kInfinity;
+    numbers_.is_flat = true;
+    numbers_.can_be_certain = numbers_.can_be_certain && direction == 0;
     numbers_.wide[axis] = kInfinity;
-    numbers_.low[axis] = way == 0 ? low : below(reach(low, way < 0 ? way : -0.0));
-    numbers_.high[axis] = way == 0 ? high : above(reach(high, way > 0 ? way : 0.0));
+    numbers_.back[axis] = numbers_.low[axis] = way == 0 ? low : below(reach(low, way < 0 ? way : -0.0));
+    numbers_.front[axis] = numbers_.high[axis] = way == 0 ? high : above(reach(high, way > 0 ? way : 0.0));
   }
 
   // How far it comes from there, and a little further: a small sum of large numbers is as uncertain as they
@@ -97,7 +126,7 @@ class PathNumbers {
     return from + way + std::copysign(slack, way);
   }
 
-  double scale_;         // times in lengths of the scaled direction are so many times as large
+  double scale_ = 1;     // times in lengths of the scaled direction are so many times as large
   CastNumbers numbers_;  // NOLINT(*-member-init): all that is read is set by the constructor
 };
 

@@ -100,21 +100,32 @@ TEST_P(Grazing, PathsAreAnsweredToTheLastBit) {
   }
 }
 
-// The gap on the first axis is no float, though when the path comes to the box would be one.
-TEST_P(Grazing, GapsMayBeLargerThanFloats) {
-  const Aabb box{{1e38F, -1e37F, -1}, {1.1e38F, 5e37F, 1}};
-  const Ray ray{{-3e38F, -2e38F, 0}, {1.96, 1, 0}};
-  auto broadphase = std::move(*make_broadphase(StreamOptions{.isa = GetParam()}));
+/// A body alone in the world, asked after with cells and with a tree.
+void expect_touch(VectorIsa isa, const Path& path, const Aabb& box) {
+  auto broadphase = std::move(*make_broadphase(StreamOptions{.isa = isa}));
   ASSERT_TRUE(broadphase.insert(0, box).ok());
   ASSERT_TRUE(broadphase.update().ok());
   const Queries queries = broadphase.queries();
-  const auto expected = expected_touch(ray, box);
+  const auto expected = expected_touch(path, box);
   ASSERT_TRUE(expected.has_value());
   for (int time = 0; time < 2; ++time) {
-    EXPECT_EQ(*queries.first_touch(ray), expected);
-    EXPECT_TRUE(*queries.any_touch(ray));
+    EXPECT_EQ(*queries.first_touch(path), expected);
+    EXPECT_TRUE(*queries.any_touch(path));
     queries.prepare();
   }
+}
+
+// The gap on the first axis is no float, though when the path comes to the box would be one.
+TEST_P(Grazing, GapsMayBeLargerThanFloats) {
+  expect_touch(GetParam(), Ray{{-3e38F, -2e38F, 0}, {1.96, 1, 0}},
+               {{1e38F, -1e37F, -1}, {1.1e38F, 5e37F, 1}});
+}
+
+// It comes to the box and leaves it on all axes after more time than a double counts: at infinity, where it
+// is everywhere at once.
+TEST_P(Grazing, TimesMayBeLargerThanDoubles) {
+  expect_touch(GetParam(), Ray{{0, 0, 0}, {1e-300, 1e-300, 1e-300}},
+               {{1e10F, 1e10F, 5e10F}, {2e10F, 2e10F, 6e10F}});
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, Grazing,

@@ -14,6 +14,10 @@ namespace cellsweep::queries {
 /// At most so many boxes are looked at in one call.
 inline constexpr std::uint32_t kRowBoxes = 256;
 
+/// What roundings may do: lanes.h.
+inline constexpr float kSmaller = 1 - 0x1p-19F;
+inline constexpr float kLarger = 1 + 0x1p-19F;
+
 /// The largest vector of any kernel, in boxes.
 inline constexpr std::uint32_t kMostLanes = 16;
 
@@ -35,16 +39,19 @@ struct BoxRow {
 /// A Path in floats, its direction scaled so that the largest component is at least a half and at most 1;
 /// times are in lengths of that. None is shorter than the way on an axis: where a gap is too large for a
 /// float, so is the time that it takes. Which way it goes is known beforehand: nobody could foretell a branch
-/// at each box.
+/// at each box. By axis; a fourth lane means nothing.
 struct CastNumbers {
-  unsigned goes_down;  ///< a bit for each axis on which it comes to the maxima of boxes first
-  float front[3];      ///< its own side that comes to the first face
-  float back[3];       ///< its own side that leaves a box at the other one
-  float inverse[3];    ///< of the direction; 0 on an axis along which the path does not move, or hardly
+  std::int32_t near[4];  ///< the face of boxes that it comes to first: TreeNode::faces
+  std::int32_t far[4];   ///< and the one at which it leaves them
+  float front[4];        ///< its own side that comes to the first face; `high` on an axis that is flat
+  float back[4];         ///< its own side that leaves a box at the other one; or `low`
+  float inverse[4];      ///< of the direction; 0 on an axis that is flat
+  float sooner[4];       ///< that, a little smaller; infinite on such an axis
+  float later[4];        ///< and larger
   float end;
   float certain_end;    ///< not after the end, as `end` is not before it
   bool can_be_certain;  ///< whether kernels can tell that it touches a box
-  bool is_flat;         ///< there is such an axis; what follows has numbers then only
+  bool is_flat;         ///< on an axis it does not move, or hardly; what follows has numbers then only
   float wide[3];        ///< infinity on such an axis, or 0
   float low[3];   ///< a box must reach above this and below the other, which say where the path ever is on
   float high[3];  ///< such an axis; infinite on others

@@ -6,9 +6,9 @@
 /// standard library's: engines/stream/kernels/body.h says why.
 ///
 /// Rounding: an operation is off by 2^-24 of its result, and at most six follow each other, so what is
-/// compared is made smaller or larger by 2^-19 of itself. That a number overflows, or is too small for a
-/// normal one, must make no box be missed either: what is too large is taken to be kLargest, and kSmallest is
-/// added.
+/// compared is made smaller or larger by 2^-19 of itself (kSmaller, kLarger). That a number overflows, or is
+/// too small for a normal one, must make no box be missed either: what is too large is taken to be kLargest,
+/// and kSmallest is added.
 #pragma once
 
 #include "cellsweep/engine/cell_boxes.h"
@@ -17,8 +17,6 @@
 namespace cellsweep::queries {
 namespace {
 
-inline constexpr float kSmaller = 1 - 0x1p-19F;
-inline constexpr float kLarger = 1 + 0x1p-19F;
 inline constexpr float kLargest = 1e38F;
 inline constexpr float kSmallest = 1e-37F;
 
@@ -92,7 +90,7 @@ struct CastLanes {
 
   explicit CastLanes(const CastNumbers& path) : end(all<Lanes>(path.end)) {
     for (unsigned axis = 0; axis < 3; ++axis) {
-      const bool goes_up = (path.goes_down >> axis & 1) == 0;
+      const bool goes_up = path.near[axis] < path.far[axis];
       from_min[axis] = all<Lanes>(goes_up ? path.front[axis] : path.back[axis]);
       from_max[axis] = all<Lanes>(goes_up ? path.back[axis] : path.front[axis]);
       inverse[axis] = all<Lanes>(path.inverse[axis]);

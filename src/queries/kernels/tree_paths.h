@@ -9,6 +9,29 @@
 namespace cellsweep::queries {
 namespace {
 
+/// What a path has on an axis, in all lanes.
+template <class Lanes>
+struct AxisAtNode {
+  using Vector = VectorOf<Lanes>;
+
+  AxisAtNode(const CastNumbers& path, unsigned axis)
+      : near(path.near[axis]),
+        far(path.far[axis]),
+        front(all<Lanes>(path.front[axis])),
+        back(all<Lanes>(path.back[axis])),
+        sooner(all<Lanes>(path.sooner[axis])),
+        later(all<Lanes>(path.later[axis])) {}
+
+  static Vector face(const TreeNode& node, std::int32_t number, unsigned place) {
+    return load<Lanes>(node.faces[number] + place);
+  }
+  Vector before(const TreeNode& node, unsigned place) const { return face(node, near, place) - front; }
+  Vector behind(const TreeNode& node, unsigned place) const { return face(node, far, place) - back; }
+
+  std::int32_t near, far;
+  Vector front, back, sooner, later;
+};
+
 /// A path against the boxes of nodes. What rounding may do is in the numbers beforehand: fewer steps from the
 /// node to its answer.
 template <class Lanes>
@@ -17,18 +40,11 @@ class CastAtNode {
   using Vector = VectorOf<Lanes>;
 
   explicit CastAtNode(const CastNumbers& path)
-      : end_(all<Lanes>(path.end)), certain_end_(all<Lanes>(path.certain_end)) {
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      const unsigned goes_down = path.goes_down >> axis & 1;
-      near_[axis] = axis + 3 * goes_down;
-      far_[axis] = axis + 3 - 3 * goes_down;
-      enters_from_[axis] = all<Lanes>(path.front[axis]);
-      leaves_from_[axis] = all<Lanes>(path.back[axis]);
-      enters_by_[axis] = all<Lanes>(path.inverse[axis] * kSmaller);
-      leaves_by_[axis] = all<Lanes>(path.inverse[axis] * kLarger);
-      if (path.is_flat && path.inverse[axis] == 0) stand_still(path, axis);
-    }
-  }
+      : x_(path, 0),
+        y_(path, 1),
+        z_(path, 2),
+        end_(all<Lanes>(path.end)),
+        certain_end_(all<Lanes>(path.certain_end)) {}
 
   void end(float time) { end_ = all<Lanes>(time); }
 
@@ -36,8 +52,10 @@ class CastAtNode {
   /// of places where there is no box means nothing.
   std::uint32_t test(const TreeNode& node, float (&enter)[TreeNode::kBoxes]) const {
     return test_each([&](unsigned place) {
-      Vector enters;
-      const Vector leaves = times(node, place, enters_by_, leaves_by_, end_, enters);
+      const Vector enters = first(x_.before(node, place) * x_.sooner, y_.before(node, place) * y_.sooner,
+                                  z_.before(node, place) * z_.sooner);
+      const Vector leaves = last(x_.behind(node, place) * x_.later, y_.behind(node, place) * y_.later,
+                                 z_.behind(node, place) * z_.later, end_);
       __builtin_memcpy(enter + place, &enters, sizeof(enters));
       return Lanes::bits(Lanes::less_equal(enters, leaves));
     });
@@ -47,23 +65,16 @@ class CastAtNode {
   bool is_certain(const TreeNode& node, std::uint32_t bodies) const {
     // Numbers that are too small for a normal one may come out as the same: less, not less or equal.
     const std::uint32_t others = test_each([&](unsigned place) {
-      Vector enters;
-      const Vector leaves = times(node, place, leaves_by_, enters_by_, certain_end_, enters);
+      const Vector enters = first(x_.before(node, place) * x_.later, y_.before(node, place) * y_.later,
+                                  z_.before(node, place) * z_.later);
+      const Vector leaves = last(x_.behind(node, place) * x_.sooner, y_.behind(node, place) * y_.sooner,
+                                 z_.behind(node, place) * z_.sooner, certain_end_);
       return Lanes::bits(Lanes::less_equal(leaves, enters));
     });
     return without(bodies, others & bodies) != 0;
   }
 
  private:
-  // On an axis along which the path does not move, boxes that do not reach where it is are behind its end,
-  // and those that it has not left it never leaves. Such a side is 0 times infinity from one that it grazes,
-  // which is no bound.
-  [[gnu::cold]] void stand_still(const CastNumbers& path, unsigned axis) {
-    enters_from_[axis] = all<Lanes>(path.high[axis]);
-    leaves_from_[axis] = all<Lanes>(path.low[axis]);
-    enters_by_[axis] = leaves_by_[axis] = all<Lanes>(__builtin_inff());
-  }
-
   template <class Test>
   static std::uint32_t test_each(const Test& test) {
     std::uint32_t bits = 0;
@@ -71,26 +82,15 @@ class CastAtNode {
     return bits;
   }
 
-  // When the path has come to boxes on all axes, and has left them on one. A product that overflows, or is
-  // too small for a normal number, is rounded as others are: what enters no later than it leaves comes out
-  // so.
-  Vector times(const TreeNode& node, unsigned place, const Vector (&enters_by)[3],
-               const Vector (&leaves_by)[3], Vector end, Vector& enters) const {
-    Vector enter[3];
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      enter[axis] = (face(node, near_[axis], place) - enters_from_[axis]) * enters_by[axis];
-      end = smaller((face(node, far_[axis], place) - leaves_from_[axis]) * leaves_by[axis], end);
-    }
-    enters = larger(enter[0], larger(enter[1], larger(enter[2], Vector{})));
-    return end;
+  // When the path has come to boxes on all axes, and when it has left them on one or ends. A product that
+  // overflows, or is too small for a normal number, is rounded as others are: what enters no later than it
+  // leaves comes out so.
+  static Vector first(Vector x, Vector y, Vector z) { return larger(x, larger(y, larger(z, Vector{}))); }
+  static Vector last(Vector x, Vector y, Vector z, Vector end) {
+    return smaller(z, smaller(y, smaller(x, end)));
   }
 
-  static Vector face(const TreeNode& node, unsigned number, unsigned place) {
-    return load<Lanes>(node.faces[number] + place);
-  }
-
-  unsigned near_[3], far_[3];  // the faces at which the path enters and leaves boxes
-  Vector enters_from_[3], leaves_from_[3], enters_by_[3], leaves_by_[3];
+  AxisAtNode<Lanes> x_, y_, z_;
   Vector end_, certain_end_;
 };
 
