@@ -72,7 +72,12 @@ std::optional<Touch> expected_touch(const Path& path, const Aabb& box) {
   return time ? std::optional(Touch{0, *time}) : std::nullopt;
 }
 
-class Grazing : public testing::TestWithParam<VectorIsa> {};
+class Grazing : public testing::TestWithParam<VectorIsa> {
+ protected:
+  void SetUp() override {
+    if (!make_broadphase(StreamOptions{.isa = GetParam()})) GTEST_SKIP() << "not on this processor";
+  }
+};
 
 TEST_P(Grazing, PathsAreAnsweredToTheLastBit) {
   constexpr int kBoxes = contract::effort(2000, 300, 50);
