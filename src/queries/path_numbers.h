@@ -47,9 +47,9 @@ class PathNumbers {
  private:
   static constexpr double kFarthest = 1e38;
   static constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  /// Of a scaled direction, which a path that moves along an axis has there.
+  /// The least component of a scaled direction along which a path moves.
   static constexpr float kLeast = 0x1p-60F;
-  /// Of the largest component: where another one has no inverse, it is less than kLeast.
+  /// Where the largest component is no less, another one that has no inverse is scaled to less than kLeast.
   static constexpr double kAllHaveInverses = 0x1p-400;
 
   static double largest_component(const Path& path) {
