@@ -123,6 +123,8 @@ FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& time
     if (find_of_few(changes, timer, found)) return found;
     goes_on = false;
   }
+  has_spare_ = true;
+  quiet_ = 0;
   if (goes_on && kind == kInPlace) return find_in_place(changes, timer);
   if (goes_on && search_.has_cells() && find_changed(changes, timer, found)) return found;
   // A small world is swept when all is new, and while it is so in every update. Else cells will be asked for
@@ -150,12 +152,18 @@ void Stream::forget_all() {
   overlaps_.clear();
 }
 
-// When pairs have gone. What the last update found lies in this memory, which is why it did not do so.
+// When pairs have gone, and when a world has come to rest. What the last update found lies in this memory,
+// which is why it did not do so.
 void Stream::give_back_spare() {
-  if (bytes_ <= most_bytes()) return;
+  const bool is_quiet = has_spare_ && ++quiet_ > tuning::kQuietToGiveBack;
+  if (is_quiet || bytes_ > most_bytes()) give_back();
+}
+
+void Stream::give_back() {
   rebuild_.drop();
   overlaps_.give_back();
   search_.give_back();
+  has_spare_ = false;
   bytes_ = bytes_held();
 }
 

@@ -63,6 +63,7 @@ class Stream final : public Engine, public HasFinder {
   FoundPairs find_anew(const BodyChanges& changes, std::size_t most_swept, PhaseTimer& timer);
   FoundPairs counted(const FoundPairs& found);
   void give_back_spare();
+  [[gnu::cold]] void give_back();
   [[gnu::cold]] void forget_all();
   std::size_t bytes_held() const { return fat_boxes_.bytes() + search_.bytes() + overlaps_.bytes(); }
   std::size_t most_bytes() const;
@@ -91,6 +92,8 @@ class Stream final : public Engine, public HasFinder {
   std::array<std::uint64_t, kKinds> updates_{};
   std::uint64_t changed_ = 0;
   std::size_t bytes_ = 0;
+  bool has_spare_ = false;   // memory that is of no use while few bodies move
+  std::uint32_t quiet_ = 0;  // updates since it was used
 };
 
 }  // namespace cellsweep::stream

@@ -9,6 +9,7 @@
 
 #include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
+#include "base/tuning.h"
 #include "broadphase/bodies/bodies.h"
 #include "engines/stream/stream.h"
 #include "engines/stream/worlds.h"
@@ -115,6 +116,47 @@ TEST_P(EngineMemory, GoesBackOneUpdateAfterThatInWhichManyPairsEnded) {
   EXPECT_EQ(began_ + ended_, 0U);
   remove_all();
   EXPECT_EQ(ended_, 1U);
+}
+
+// Two sets of cells and what makes them are held while all bodies move. A world at rest needs one; it is not
+// given back between two steps of a world that is updated more often than it moves, nor time and again where
+// few bodies move.
+TEST_P(EngineMemory, GoesBackWhenAWorldHasComeToRest) {
+  constexpr std::size_t kBodies = 20'000 / kScale;
+  constexpr std::uint32_t kQuiet = tuning::kQuietToGiveBack;
+  std::vector<Aabb> boxes = uniform_boxes(kBodies, 1);
+  const auto rest = [&](std::uint32_t updates) {
+    for (std::uint32_t i = 0; i < updates; ++i) update();
+    return statistics_.bytes;
+  };
+  insert(boxes);
+  for (int frame = 0; frame < 30; ++frame) {
+    shake(boxes, 0.02F, 1);
+    move(boxes, kBodies);
+    rest(1);
+  }
+  const std::uint64_t moving = statistics_.bytes;
+  EXPECT_EQ(rest(kQuiet - 1), moving);
+  const std::uint64_t resting = rest(1);
+  EXPECT_LE(resting + 150 * kBodies, moving);
+  // What follows is exact.
+  const std::vector<Aabb> other = uniform_boxes(kBodies, 2);
+  for (const std::size_t movers : {std::size_t{1}, kBodies / 50, kBodies}) {
+    move(other, movers);
+    const std::size_t began = began_;
+    const std::size_t ended = ended_;
+    const std::uint64_t moved = statistics_.bytes;
+    const std::uint64_t rested = rest(kQuiet + 1);
+    EXPECT_EQ(rest(kQuiet + 1), rested) << movers;
+    EXPECT_EQ(moved > rested, movers > 1) << movers;
+    move(boxes, movers);
+    EXPECT_EQ(began_, ended) << movers;
+    EXPECT_EQ(ended_, began) << movers;
+    // One mover neither keeps it nor gives anything back a second time.
+    for (std::uint32_t i = 0; i < kQuiet; ++i) move(i % 2 != 0 ? boxes : other, 1);
+    move(boxes, 1);
+    EXPECT_LE(statistics_.bytes, resting + resting / 8) << movers;
+  }
 }
 
 TEST_P(EngineMemory, GoesBackInTheUpdateThatIsRefused) {
