@@ -42,7 +42,7 @@ struct Work {
 /// Names are stable within an engine.
 struct Statistics {
   std::uint64_t updates = 0;    ///< that succeeded
-  std::uint64_t bytes = 0;      ///< of memory held, nearly
+  std::uint64_t bytes = 0;      ///< of memory held after the last update(), nearly
   std::vector<Phase> phases{};  ///< of the last update(), in the order they ran
   std::vector<Counter> counters{};
   Work work{};

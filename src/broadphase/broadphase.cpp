@@ -186,6 +186,7 @@ void Broadphase::Impl::commit() {
   if (!nothing_changed_) kept_tree_.note(changes_);
   bodies_.commit();
   ++statistics_.updates;
+  statistics_.bytes += kept_tree_.bytes();
   if (nothing_changed_) {
     statistics_.bytes += bytes_;
     return pairs_.commit_nothing();

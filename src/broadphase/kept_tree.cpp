@@ -12,13 +12,13 @@ std::size_t count_of(const BodyChanges& changes) {
 
 }  // namespace
 
-[[gnu::cold]] void KeptTree::keep() {
+[[gnu::cold]] void KeptTree::keep(std::size_t bytes) {
   account_.brought_up_to_date();
-  show_tree();
+  show_tree(bytes);
 }
 
 [[gnu::cold]] void KeptTree::keep(queries::BoxTree* tree, void (*destroy)(const queries::BoxTree*),
-                                  std::size_t bodies) {
+                                  std::size_t bodies, std::size_t bytes) {
   const std::size_t room = TreeAccount::few_of(bodies);
   changed_.reserve(room);
   room_ = room;
@@ -26,10 +26,11 @@ std::size_t count_of(const BodyChanges& changes) {
   tree_ = tree;
   destroy_ = destroy;
   account_.made();
-  show_tree();
+  show_tree(bytes);
 }
 
-[[gnu::cold]] void KeptTree::show_tree() {
+[[gnu::cold]] void KeptTree::show_tree(std::size_t bytes) {
+  tree_bytes_ = bytes;
   changed_.clear();
   all_may_have_changed_ = false;
   unasked_ = 0;
@@ -46,6 +47,7 @@ std::size_t count_of(const BodyChanges& changes) {
   if (tree_ == nullptr) return;
   destroy_(tree_);
   tree_ = nullptr;
+  tree_bytes_ = 0;
 }
 
 void KeptTree::note(const BodyChanges& changes) {

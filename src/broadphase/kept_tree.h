@@ -43,10 +43,11 @@ class KeptTree {
   std::span<const Slot> changed() const { return changed_.view(); }
   bool all_may_have_changed() const { return all_may_have_changed_; }
 
-  /// It is up to date, whether it is the outdated one, or another one, which is given to be kept. When
-  /// std::bad_alloc is thrown it was not.
-  void keep();
-  void keep(queries::BoxTree* tree, void (*destroy)(const queries::BoxTree*), std::size_t bodies);
+  /// It is up to date, whether it is the outdated one, or another one, which is given to be kept, and holds
+  /// so many bytes. When std::bad_alloc is thrown it was not kept.
+  void keep(std::size_t bytes);
+  void keep(queries::BoxTree* tree, void (*destroy)(const queries::BoxTree*), std::size_t bodies,
+            std::size_t bytes);
   /// There is no tree any more.
   void give_up();
 
@@ -54,16 +55,19 @@ class KeptTree {
   void note(const BodyChanges& changes);
   /// As give_up(), while nobody asks.
   void drop();
+  /// Held, while nobody asks.
+  std::size_t bytes() const { return tree_bytes_ + changed_.bytes(); }
 
  private:
   void destroy_tree();
   void note_for_tree(const BodyChanges& changes);
-  void show_tree();
+  void show_tree(std::size_t bytes);
 
   std::atomic<const queries::BoxTree*> current_ = nullptr;  // null or tree_
   std::atomic_flag is_being_made_;
   queries::BoxTree* tree_ = nullptr;
   void (*destroy_)(const queries::BoxTree*) = nullptr;
+  std::size_t tree_bytes_ = 0;
   List<Slot> changed_;  // has room for room_
   std::size_t room_ = 0;
   bool all_may_have_changed_ = false;

@@ -80,6 +80,7 @@ class Row {
   bool has_tree() const { return tree().get() != nullptr; }
   bool keeps_tree() const { return tree().outdated() != nullptr; }
   double wear() const { return tree().get()->wear(); }
+  std::uint64_t bytes() const { return broadphase_.statistics().bytes; }
   bool answers_are_right(std::uint64_t seed) const {
     return static_cast<bool>(queries::answers_are_right(queries(), truth_, seed));
   }
@@ -131,10 +132,10 @@ class Row {
     for (const auto& [body, box] : truth_.boxes) ASSERT_TRUE(broadphase_.move(body, box).ok());
     update();
   }
+  void update() { ASSERT_TRUE(broadphase_.update().ok()); }
 
  private:
   KeptTree& tree() const { return EngineAccess::last_update(broadphase_).tree; }
-  void update() { ASSERT_TRUE(broadphase_.update().ok()); }
 
   Broadphase broadphase_ = std::move(*make_broadphase(OracleOptions{}));
   Reference truth_;
@@ -199,13 +200,19 @@ TEST(TreeOfQueries, IsNotMadeWhereToBringItUpToDateWouldTakeLonger) {
 }
 
 TEST(TreeOfQueries, IsGivenUpWhenNobodyAsks) {
-  Row row;
+  constexpr std::size_t kBodies = 4000;
+  Row row(kBodies);
+  row.move(BodyId{7}, {{21, 0, 0}, {22, 1, 0.5F}});
+  const std::uint64_t without_tree = row.bytes();
   row.queries().prepare();
+  row.update();
+  EXPECT_GE(row.bytes(), without_tree + kBodies * sizeof(Aabb)) << "it holds all boxes";
   int updates = 0;
   for (; updates < 1000 && row.keeps_tree(); ++updates)
     row.move(BodyId{7}, {{21, 0, 0}, {22, 1, static_cast<float>(2 + updates)}});
   EXPECT_GT(updates, 10);
   EXPECT_LT(updates, 1000);
+  EXPECT_LE(row.bytes(), without_tree + 1000);
   EXPECT_TRUE(row.answers_are_right(6));
 }
 

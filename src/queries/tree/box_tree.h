@@ -47,6 +47,10 @@ class BoxTree {
   bool update(const BodyBoxes& bodies);
   /// How far its nodes reach for each length that they did when it was made.
   double wear() const { return reach_ > made_reach_ ? reach_ / made_reach_ : 1; }
+  /// Bytes held.
+  std::size_t bytes() const {
+    return nodes_.capacity() * sizeof(TreeNode) + places_.capacity() * sizeof(std::uint32_t);
+  }
 
  private:
   Vector<TreeNode> nodes_;

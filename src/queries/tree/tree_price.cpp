@@ -30,13 +30,13 @@ class Making {
     if (tree == nullptr || !update(*tree)) return false;
     const bool is_worn =
         tree->wear() > (kept_.account().has_paid_off() ? tuning::kWornTree : tuning::kWornOutTree);
-    is_worn ? kept_.account().wears_out() : kept_.keep();
+    is_worn ? kept_.account().wears_out() : kept_.keep(tree->bytes());
     is_done_ = !is_worn;
     return is_done_;
   }
   void make() {
     auto tree = std::make_unique<BoxTree>(bodies_);
-    kept_.keep(tree.get(), destroy, bodies_.boxes.size());
+    kept_.keep(tree.get(), destroy, bodies_.boxes.size(), tree->bytes());
     static_cast<void>(tree.release());
     is_done_ = true;
   }
