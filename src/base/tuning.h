@@ -244,8 +244,9 @@ inline constexpr std::size_t kFewBytes = std::size_t{512} << 10;
 inline constexpr std::size_t kBytesOfBody = 2048;
 inline constexpr std::size_t kBytesOfCopy = 128;
 inline constexpr std::size_t kBytesOfCandidate = 192;
-/// After so many updates in which few bodies move or none, all that is only of use while many do goes back: a
-/// second of a game. Who updates several times for each step of the bodies keeps it. Chosen, not measured.
+/// After so many updates in which few bodies move or none, all that is only of use while many do goes back
+/// where more than kFewBytes are held: a second of a game. Who updates several times for each step of the
+/// bodies keeps it. Chosen, not measured.
 inline constexpr std::uint32_t kQuietToGiveBack = 64;
 
 /// So many changes of a list of pairs may wait whatever its length; more, when they are fewer than a quarter

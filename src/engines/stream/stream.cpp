@@ -150,13 +150,14 @@ void Stream::forget_all() {
   search_.clear();
   search_.give_back();
   overlaps_.clear();
+  has_spare_ = false;
 }
 
 // When pairs have gone, and when a world has come to rest. What the last update found lies in this memory,
 // which is why it did not do so.
 void Stream::give_back_spare() {
   const bool is_quiet = has_spare_ && ++quiet_ > tuning::kQuietToGiveBack;
-  if (is_quiet || bytes_ > most_bytes()) give_back();
+  if ((is_quiet && bytes_ > tuning::kFewBytes) || bytes_ > most_bytes()) give_back();
 }
 
 void Stream::give_back() {
