@@ -162,6 +162,7 @@ void Stream::give_back_spare() {
 
 void Stream::give_back() {
   rebuild_.drop();
+  fat_boxes_.give_back();
   overlaps_.give_back();
   search_.give_back();
   has_spare_ = false;

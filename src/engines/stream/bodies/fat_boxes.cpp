@@ -198,6 +198,11 @@ void FatBoxes::list_inserted(Slot slot, const Aabb& now) {
   if (slack_) fat_[slot] = now;
 }
 
+void FatBoxes::give_back() {
+  escapes_ = {};
+  changes_ = {};
+}
+
 std::size_t FatBoxes::bytes() const {
   return (fat_.capacity() + prepared_.capacity()) * sizeof(Aabb) + courses_.capacity() * sizeof(Course) +
          escapes_.bytes() + changes_.bytes();

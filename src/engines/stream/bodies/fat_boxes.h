@@ -65,6 +65,9 @@ class FatBoxes {
   /// Forgets them, and their memory.
   void drop_prepared() { prepared_ = Vector<Aabb>(); }
 
+  /// Gives memory back that the next update may ask for again; changes() may lie there no longer.
+  [[gnu::cold]] void give_back();
+
   /// Some fat box may be larger than its box.
   bool have_slack() const { return slack_; }
 

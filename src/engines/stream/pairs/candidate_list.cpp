@@ -166,7 +166,8 @@ void CandidateList::give_back(Crew& crew) {
 }
 
 std::size_t CandidateList::bytes() const {
-  return pairs_.bytes() + spare_.bytes() + began_.bytes() + ended_.bytes() + keys_.bytes() + notes_.bytes();
+  return pairs_.bytes() + spare_.bytes() + began_.bytes() + ended_.bytes() + keys_.bytes() + notes_.bytes() +
+         buckets_.capacity() * sizeof(std::size_t);
 }
 
 }  // namespace cellsweep::stream
