@@ -8,6 +8,13 @@ namespace {
 constexpr std::size_t kFirstChunk = std::size_t{64} << 10;
 constexpr std::size_t kLargestStep = std::size_t{8} << 20;
 
+/// What to take where so much is held: little of it is left over in the end. Huge pages once they are not
+/// more than that.
+std::size_t next_step(std::size_t held) {
+  const std::size_t least = held < kHugePage ? kFirstChunk : kHugePage;
+  return std::clamp(held / 4, least, kLargestStep);
+}
+
 std::size_t round_up(std::size_t bytes, std::size_t unit) {
   return (bytes + unit - 1) / unit * unit;
 }
@@ -33,7 +40,7 @@ void* Arena::take_from_next_chunk(std::size_t bytes) {
     chunks_.resize(next);
   }
   if (next == chunks_.size()) {
-    std::size_t size = std::max(bytes, std::clamp(bytes_, kFirstChunk, kLargestStep));
+    std::size_t size = std::max(bytes + bytes / 8, next_step(bytes_));
     size = round_up(size, size >= kHugePage ? kHugePage : kMemoryAlignment);
     chunks_.push_back({Memory<std::byte>(take_memory(size, kMemoryAlignment)), size});
     bytes_ += size;

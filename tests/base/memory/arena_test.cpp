@@ -57,6 +57,24 @@ TEST(Arena, KeepsNoMoreThanItIsTold) {
   EXPECT_LT(arena.bytes(), 2'000'000U);
 }
 
+TEST(Arena, HoldsLittleMoreThanItHandsOut) {
+  constexpr std::size_t kBlock = 4096;
+  for (const std::size_t all : {100'000, 700'000, 1'400'000, 3'000'000, 7'000'000, 30'000'000}) {
+    Arena arena;
+    for (std::size_t handed_out = 0; handed_out < all; handed_out += kBlock) arena.take<char>(kBlock);
+    const std::size_t least_step = all < kHugePage ? all / 10 : kHugePage;
+    EXPECT_LE(arena.bytes(), all + all / 4 + least_step) << all;
+  }
+}
+
+TEST(Arena, HasRoomForSmallBlocksBehindALargeOne) {
+  Arena arena;
+  arena.take<char>(1'000'000);
+  const std::size_t before = arena.bytes();
+  for (int i = 0; i < 20; ++i) arena.take<char>(5000);
+  EXPECT_EQ(arena.bytes(), before);
+}
+
 TEST(Arena, HasRoomForABlockLargerThanAllBefore) {
   Arena arena;
   for (std::size_t size = 1; size < 10'000'000; size *= 3) {
