@@ -8,8 +8,8 @@ namespace {
 constexpr std::size_t kFirstChunk = std::size_t{64} << 10;
 constexpr std::size_t kLargestStep = std::size_t{8} << 20;
 
-/// What to take where so much is held: little of it is left over in the end. Huge pages once they are not
-/// more than that.
+/// How much to take where so much is held, so that little is left over in the end: whole huge pages once they
+/// are no more than that.
 std::size_t next_step(std::size_t held) {
   const std::size_t least = held < kHugePage ? kFirstChunk : kHugePage;
   return std::clamp(held / 4, least, kLargestStep);

@@ -1,5 +1,6 @@
 #include "engines/stream/stream.h"
 
+#include <new>
 #include <utility>
 
 #include "base/text.h"
@@ -160,12 +161,18 @@ void Stream::give_back_spare() {
   if ((is_quiet && bytes_ > tuning::kFewBytes) || bytes_ > most_bytes()) give_back();
 }
 
+// A list that moves to a smaller place asks for it. Where there is none the update goes on, and what is left
+// goes another time.
 void Stream::give_back() {
-  rebuild_.drop();
-  fat_boxes_.give_back();
-  overlaps_.give_back();
-  search_.give_back();
-  has_spare_ = false;
+  quiet_ = 0;
+  try {
+    rebuild_.drop();
+    fat_boxes_.give_back();
+    overlaps_.give_back();
+    search_.give_back();
+    has_spare_ = false;
+  } catch (const std::bad_alloc&) {
+  }
   bytes_ = bytes_held();
 }
 

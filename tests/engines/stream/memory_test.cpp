@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/memory/starved.h"
 #include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
 #include "base/tuning.h"
@@ -157,6 +158,29 @@ TEST_P(EngineMemory, GoesBackWhenAWorldHasComeToRest) {
     move(boxes, 1);
     EXPECT_LE(statistics_.bytes, resting + resting / 8) << movers;
   }
+}
+
+// To give some back takes some, where a list moves to a smaller place.
+TEST_P(EngineMemory, GoesBackLaterWhereThereIsNoneLeft) {
+  constexpr std::size_t kBodies = 20'000;
+  constexpr std::uint32_t kQuiet = tuning::kQuietToGiveBack;
+  const std::vector<Aabb> boxes = uniform_boxes(kBodies, 1);
+  std::vector<Aabb> larger = boxes;
+  for (Aabb& box : larger) box.max[0] += 7;
+  insert(larger);
+  const std::size_t pairs = began_;
+  move(uniform_boxes(kBodies, 2), kBodies);
+  move(boxes, kBodies);  // whose pairs are in the place of the first ones
+  ASSERT_GT(pairs, 4 * began_);
+  for (std::uint32_t i = 0; i < kQuiet; ++i) update();
+  EXPECT_FALSE(fails_at(1, [&] { update(); }));
+  const std::uint64_t waiting = statistics_.bytes;
+  for (std::uint32_t i = 0; i <= kQuiet; ++i) update();
+  EXPECT_LT(statistics_.bytes, waiting);
+  move(larger, kBodies);
+  EXPECT_EQ(ended_, 0U);
+  remove_all();
+  EXPECT_EQ(ended_, pairs);
 }
 
 TEST_P(EngineMemory, GoesBackInTheUpdateThatIsRefused) {
