@@ -48,11 +48,11 @@ Measured in_world_of(std::size_t bodies) {
   return sweep_and_cells(uniform(bodies, 0)->boxes());
 }
 
-/// Cubes so large that a sweep compares each with so many vectors of others.
-Measured in_crowd(double vectors) {
-  const double edges = kBodies / (4 * kernels().lanes * vectors);  // of the world
+/// So many cubes, so large that a sweep compares each with so many vectors of others.
+Measured in_crowd_of(std::size_t bodies, double vectors) {
+  const double edges = static_cast<double>(bodies) / (4 * kernels().lanes * vectors);  // of the world
   Random random(1);
-  std::vector<Aabb> boxes(kBodies);
+  std::vector<Aabb> boxes(bodies);
   for (Aabb& box : boxes) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       box.min[axis] = static_cast<float>(random.between(0, edges));
@@ -60,6 +60,14 @@ Measured in_crowd(double vectors) {
     }
   }
   return sweep_and_cells(boxes);
+}
+
+Measured in_crowd(double vectors) {
+  return in_crowd_of(kBodies, vectors);
+}
+
+Measured in_large_crowd(double vectors) {
+  return in_crowd_of(8 * kBodies, vectors);
 }
 
 /// Scene `uniform`, with so many bodies outside of where the others are that each costs so many tests: in
@@ -105,6 +113,9 @@ void register_sweep_rows() {
     register_tuning_row("kMostSwept/" + std::to_string(bodies), [bodies] { return in_world_of(bodies); });
   register_tuning_row("kPlacesOfEdge/axis", on_a_line);
   register_tuning_row("kPlacesOfEdge/uniform", [] { return in_world_of(kBodies); });
+  for (const double vectors : {0.5, 1.0, 2.0})
+    register_tuning_row("kVectorsExpected/" + std::to_string(vectors).substr(0, 3),
+                        [=] { return in_large_crowd(vectors); });
   register_shares("kVectorsOfSwept", tuning::kVectorsOfSwept, in_crowd);
   register_shares("kTestsOfSwept", tuning::kTestsOfSwept, with_some_outside);
 }

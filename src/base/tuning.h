@@ -156,7 +156,8 @@ inline constexpr std::size_t kBytesOfBox = 512;
 // --- the sweep of small worlds
 // ------------------------------------------------------------------------------------------------
 
-/// So many slots and fewer are swept. EPYC, AVX-512, all scenes; uniform alone would do with twice as many.
+/// So many slots and fewer are swept when all are new. EPYC, AVX-512, all scenes: two and three times as many
+/// would take 0.7 to 0.9 of the time that cells take, but few movers need these in the next update.
 inline constexpr std::size_t kMostSwept = 2048;
 /// And so many in every update, while most bodies are on their way. EPYC, AVX-512 and AVX2, uniform, varied,
 /// clustered and wall, all moving: 0.9 of the mean time that fat boxes take at 1,000 bodies, 1.0 at 2,000 and
@@ -165,6 +166,13 @@ inline constexpr std::size_t kMostSweptInMotion = 3072;
 /// A box of middle size reaches over so many numbers on the axis of the order. EPYC, AVX-512, 1,000 bodies in
 /// all scenes.
 inline constexpr double kPlacesOfEdge = 16;
+/// Places are no more than so many times as many as boxes, up to twice that: to count takes time, too. EPYC,
+/// AVX-512, axis 1,000 and 4,000: 0.93 of the time with half of it, 0.9 with as many as there are numbers.
+inline constexpr std::size_t kPlacesOfBox = 2;
+/// More boxes than kMostSwept are not sorted where a few of them say that a box is compared with more vectors
+/// of bytes than this. EPYC, AVX-512 and AVX2, all scenes, 3,000 to 100,000: cells take as long from three to
+/// five on.
+inline constexpr double kVectorsExpected = 3;
 /// Cells take less than more vectors of bytes than this a body. EPYC, AVX-512, 1,024 cubes, ever more
 /// crowded: as much from five or six on.
 inline constexpr std::uint32_t kVectorsOfSwept = 6;
@@ -202,6 +210,14 @@ inline constexpr std::uint64_t kSweptPairCost = 9;
 
 /// So many boxes of one set and fewer are compared all with all. EPYC, uniform, 64 to 300: little between.
 inline constexpr std::size_t kOneCell = 128;
+/// More boxes than this, divided by the workers that there are, come into cells, which several can fill; and of
+/// two sets, whose pairs within each a sweep finds in vain, more than kMostSwept. EPYC, AVX-512, one thread,
+/// one set, scenes that are long on an axis: 0.5 to 0.9 of the time at 100,000, 1.0 to 1.2 at 300,000; two
+/// sets in all scenes, 3,000 to 30,000: 1.0 to 1.5.
+inline constexpr std::size_t kMostSweptAtOnce = 131'072;
+/// A sweep has all pairs in memory before the first one is handed on; where there are more than so many a box,
+/// cells do without. Chosen, not measured.
+inline constexpr std::size_t kPairsSweptAtOnce = 64;
 /// Where one of two sets has so many and fewer, all of them are compared with all of the other.
 /// EPYC, uniform: 300 of 10,000 take as long either way.
 inline constexpr std::size_t kMostPieced = 256;

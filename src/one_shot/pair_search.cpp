@@ -43,9 +43,12 @@ PairSearch::PairSearch(Crew& crew, const stream::Kernels& kernels, const Searche
 
 PairSearch::~PairSearch() = default;
 
-// False when there are many, or cells take less. Of two sets, filters leave out the pairs within each.
+// False when cells take less, or so many pairs overlap that it would be a pity to have all of them in memory
+// before the first one is handed on. Of two sets, filters leave out the pairs within each.
 bool PairSearch::sweep() {
-  if (kernels_.sweep == nullptr || boxes_.boxes.size() > tuning::kMostSwept) return false;
+  const std::size_t many = std::max(tuning::kMostSweptAtOnce / crew_.workers(), tuning::kMostSwept);
+  const std::size_t most = boxes_.are_two ? tuning::kMostSwept : many;
+  if (kernels_.sweep == nullptr || boxes_.boxes.size() > most) return false;
   if (boxes_.are_two) {
     constexpr BodyFilter kFirst{.category = 1, .mask = 2};
     constexpr BodyFilter kSecond{.category = 2, .mask = 1};
@@ -54,7 +57,13 @@ bool PairSearch::sweep() {
     std::fill(sets_.data() + boxes_.second, sets_.data() + sets_.size(), kSecond);
     swept_.allow(std::as_const(sets_).view());
   }
-  return stream::Sweep().find(kernels_, boxes_.boxes, swept_);
+  swept_.buffer().most = tuning::kPairsSweptAtOnce * boxes_.boxes.size();
+  try {
+    return stream::Sweep().find(kernels_, boxes_.boxes, swept_);
+  } catch (const stream::TooManyPairs&) {
+    swept_.give_back();
+    return false;
+  }
 }
 
 // Room for so many cells with so many boxes in all.

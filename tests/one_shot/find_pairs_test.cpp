@@ -201,7 +201,28 @@ TEST(FindPairs, SearchesManyBoxesThatLieApartFromTheOtherSet) {
   }
 }
 
-/// Of 3,000 boxes and of few.
+// Swept, all their pairs would be in memory before the first one is handed on.
+TEST(FindPairs, FindsThoseOfHeapsInWhichAllOverlap) {
+  for (const std::size_t size : {1000U, 3000U}) {
+    const std::vector<Aabb> heap(size, Aabb{{0, 0, 0}, {1, 1, 1}});
+    const std::uint64_t all = std::uint64_t{size} * (size - 1) / 2;
+    for (const unsigned threads : {1U, 3U}) {
+      const FindPairsOptions options{.threads = threads};
+      EXPECT_EQ(*count_pairs(heap, options), all);
+      SeenPairs seen;
+      ASSERT_TRUE(visit_pairs(
+                      heap, [&](Pair pair) { seen.add(pair.a, pair.b); }, options)
+                      .ok());
+      SeenPairs truth;
+      for (BodyId a = 0; a < size; ++a) {
+        for (BodyId b = a + 1; b < size; ++b) truth.add(a, b);
+      }
+      EXPECT_EQ(seen, truth) << size;
+    }
+  }
+}
+
+/// Of many boxes and of few: those that are swept, and those that come into cells.
 class Visits : public testing::TestWithParam<std::size_t> {
  protected:
   std::vector<Aabb> boxes_ = [] {
@@ -241,7 +262,7 @@ TEST_P(Visits, CallFunctionsToo) {
   EXPECT_TRUE(visit_pairs(boxes_, see_none).ok());
 }
 
-INSTANTIATE_TEST_SUITE_P(FindPairs, Visits, testing::Values(40, 500, 3000));
+INSTANTIATE_TEST_SUITE_P(FindPairs, Visits, testing::Values(40, 500, 3000, kSanitized ? 6000 : 20'000));
 
 TEST(FindPairs, LeavesNothingWhereverMemoryRunsOut) {
   for (const std::size_t size : {20, 500, 2100}) {

@@ -68,10 +68,12 @@ SweepResult sweep(const SweptBoxes& swept, std::uint64_t most_tests, KeyBuffer& 
     std::uint32_t count = 0;
     while (place < boxes.count && count < kHitsAtOnce) {
       const std::uint32_t end = boxes.end[place];
-      for (; first < end && count < kHitsAtOnce; first += Bytes::kCount) {
+      // A first vector whether there is one behind it or not, which no branch could know: nearly all have.
+      do {
         hits[count] = {byte_hits<Bytes>(boxes, place, first, end), place, first};
         count += hits[count].lanes != 0 ? 1 : 0;
-      }
+        first += Bytes::kCount;
+      } while (first < end && count < kHitsAtOnce);
       if (first < end) break;
       first = ++place + 1;
     }

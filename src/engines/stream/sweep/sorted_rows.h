@@ -1,0 +1,39 @@
+/// @file
+/// Boxes in the order of an axis.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/memory/array.h"
+#include "engines/stream/kernels/kernel.h"
+#include "engines/stream/sweep/sweep_row.h"
+
+namespace cellsweep::stream {
+
+class SortedRows {
+ public:
+  /// Puts rows in order, which have so many numbers on the axis, a power of two.
+  void sort(std::span<const SweepRow> rows, std::uint32_t numbers);
+
+  /// With the boxes by slot; valid until the next sort().
+  SweptBoxes view(std::span<const Aabb> boxes) const;
+  /// How many comparisons in bytes a sweep makes: of each box with those behind it that begin before it ends.
+  std::uint64_t comparisons() const;
+
+  std::size_t bytes() const { return slots_.bytes() + ends_.bytes() + counts_.bytes() + bytes_.bytes(); }
+
+ private:
+  /// Room behind the last byte for a vector.
+  static constexpr std::size_t kPadding = 64;
+
+  std::size_t room() const { return slots_.size() + kPadding; }
+
+  Array<Slot> slots_;
+  Array<std::uint32_t> ends_;
+  Array<std::uint32_t> counts_;
+  Array<std::uint8_t> bytes_;  // low y, high y, low z, high z, one list behind the other
+};
+
+}  // namespace cellsweep::stream
