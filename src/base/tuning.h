@@ -210,13 +210,13 @@ inline constexpr std::uint64_t kSweptPairCost = 9;
 
 /// So many boxes of one set and fewer are compared all with all. EPYC, uniform, 64 to 300: little between.
 inline constexpr std::size_t kOneCell = 128;
-/// More boxes than this, divided by the workers that there are, come into cells, which several can fill; and of
-/// two sets, whose pairs within each a sweep finds in vain, more than kMostSwept. EPYC, AVX-512, one thread,
-/// one set, scenes that are long on an axis: 0.5 to 0.9 of the time at 100,000, 1.0 to 1.2 at 300,000; two
-/// sets in all scenes, 3,000 to 30,000: 1.0 to 1.5.
+/// More boxes than this, divided by the workers that there are, come into cells, which several can fill; and
+/// of two sets, whose pairs within each a sweep finds in vain, more than kMostSwept. EPYC, AVX-512, one
+/// thread, one set, scenes that are long on an axis: 0.5 to 0.9 of the time at 100,000, 1.0 to 1.2 at
+/// 300,000; two sets in all scenes, 3,000 to 30,000: 1.0 to 1.5.
 inline constexpr std::size_t kMostSweptAtOnce = 131'072;
-/// A sweep has all pairs in memory before the first one is handed on; where there are more than so many a box,
-/// cells do without. Chosen, not measured.
+/// A sweep has all pairs in memory before the first one is handed on; where there are more than so many a
+/// box, cells do without. Chosen, not measured.
 inline constexpr std::size_t kPairsSweptAtOnce = 64;
 /// Where one of two sets has so many and fewer, all of them are compared with all of the other.
 /// EPYC, uniform: 300 of 10,000 take as long either way.
