@@ -136,10 +136,13 @@ inline constexpr double kMoreCopies = 1.0625;
 /// compare them takes longer.
 inline constexpr std::size_t kDoubted = 1024;
 /// More cells than this are made in two steps: writing to more places at a time than a cache has lines is
-/// slow. EPYC, uniform 1,000,000.
-inline constexpr double kMaxCells = 4096;
-/// Boxes of a cell that will be cut again.
-inline constexpr double kPieceBoxes = 1200;
+/// slow, but so is to copy all boxes twice. EPYC, uniform, clustered, level and dust, one thread and two:
+/// with 4,096 100,000 bodies took 1.1 to 1.5 times as long, 200,000 and 300,000 1.05 to 1.25 times; with
+/// 32,768 500,000 take as long, and with 65,536 1,000,000 0.9 by one thread, 1.0 to 1.6 by two.
+inline constexpr double kMaxCells = 16384;
+/// Boxes of a cell that will be cut again. EPYC, the same scenes, 600,000 to 2,000,000: with 1,200 1.05
+/// to 1.15 times as long, with 300 1.2 to 1.3 times, with 10,000 as long.
+inline constexpr double kPieceBoxes = 8000;
 /// A cell with more boxes is cut again when that pays. EPYC, clustered 100,000.
 inline constexpr std::uint32_t kLargestCell = 160;
 /// Boxes that no cut tells apart are compared all with all from here on.
