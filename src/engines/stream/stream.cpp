@@ -27,7 +27,7 @@ Stream::Stream(StreamParts parts)
       search_(crew_, *parts_.kernels, parts_.finder.get(), parts_.max_pairs),
       overlaps_(crew_),
       rebuild_(crew_, fat_boxes_, search_, overlaps_),
-      small_world_(!parts_.finder && parts_.kernels->sweep != nullptr && parts_.margin == 0) {}
+      fat_box_choice_(!parts_.finder && parts_.margin == 0, parts_.kernels->sweep != nullptr) {}
 
 Capacity Stream::capacity() const {
   return {kSlotMask, "", text("a slot's number has ", kSlotBits, " bits")};
@@ -38,8 +38,8 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
   search_.allow(changes.filters);
   if (parts_.margin == 0)
     search_.limit_candidates(tuning::kCandidatesOfPair * pairs_ + tuning::kCandidatesOfBody * bodies_);
-  is_swept_ = small_world_.begin_update(changes);
-  if (is_swept_) {
+  is_anew_ = fat_box_choice_.begin_update(crew_, changes);
+  if (is_anew_) {
     uses_prepared_ = false;
     if (fat_boxes_.have_slack()) fat_boxes_.drop_slack();
     return kFull;
@@ -69,7 +69,7 @@ bool Stream::refit(const BodyChanges& changes) {
 
 void Stream::note_full() {
   rebuild_.note_full();
-  if (is_swept_ && search_.has_cells()) small_world_.give_up();
+  if (is_anew_) fat_box_choice_.note_anew(search_.has_cells());
 }
 
 FatBoxWork Stream::work_of(Kind kind) const {
@@ -106,7 +106,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
     forget_all();
     throw;
   }
-  if (!is_swept_) small_world_.note(work_of(kind));
+  if (!is_anew_) fat_box_choice_.note(work_of(kind));
   most_listed_ = search_.is_worn_out() || parts_.finder ? 0 : costs_.most_listed(bodies_);
   was_full_ = kind == kFull;
   ++updates_[kind];
@@ -131,7 +131,7 @@ FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& time
   // A small world is swept when all is new, and while it is so in every update. Else cells will be asked for
   // the bodies that leave their fat boxes.
   const bool with_cells = kind == kPartial || (fat_boxes_.have_slack() && !was_full_);
-  const std::size_t most_swept = is_swept_ ? tuning::kMostSweptInMotion : tuning::kMostSwept;
+  const std::size_t most_swept = is_anew_ ? tuning::kMostSweptInMotion : tuning::kMostSwept;
   kind = kFull;
   return find_all(changes, with_cells ? 0 : most_swept, timer);
 }

@@ -14,11 +14,11 @@
 #include "cellsweep/stream_view.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cost.h"
+#include "engines/stream/fat_box_choice.h"
 #include "engines/stream/pairs/overlaps.h"
 #include "engines/stream/rebuild.h"
 #include "engines/stream/search.h"
 #include "engines/stream/slack_cost.h"
-#include "engines/stream/small_world.h"
 
 namespace cellsweep::stream {
 
@@ -80,10 +80,10 @@ class Stream final : public Engine, public HasFinder {
   Search search_;
   Overlaps overlaps_;
   Rebuild rebuild_;
-  SmallWorld small_world_;
+  FatBoxChoice fat_box_choice_;
   Costs costs_;
   SlackCost slack_cost_;
-  bool is_swept_ = false;        // this update finds all anew, without fat boxes
+  bool is_anew_ = false;         // this update finds everything, without fat boxes
   bool uses_prepared_ = false;   // this update
   bool was_full_ = false;        // the last update
   std::size_t pairs_ = 0;        // how many there are

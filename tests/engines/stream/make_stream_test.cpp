@@ -98,14 +98,14 @@ TEST(MakeStream, RefusesATraceFileThatCannotBeWritten) {
 TEST(MakeStream, RunsTasksOnTheExecutorThatItIsGiven) {
   const std::vector<Aabb> boxes = uniform_boxes(2500, 1);
   const std::vector<Pair> truth = brute_force_pairs(boxes);
-  struct Case {
+  struct Sharing {
     unsigned threads;
     unsigned concurrency;
     unsigned expected;
   };
   // As many as were asked for, and never more than it takes.
   for (const auto& [threads, concurrency, expected] :
-       {Case{3, 3, 3}, {2, 4, 2}, {8, 4, 4}, {1, 4, 0}, {4, 1, 0}, {4, 0, 0}}) {
+       {Sharing{3, 3, 3}, {2, 4, 2}, {8, 4, 4}, {1, 4, 0}, {4, 1, 0}, {4, 0, 0}}) {
     const auto executor = std::make_shared<CountingExecutor>(concurrency);
     const Broadphase broadphase = updated({.threads = threads, .executor = executor}, boxes);
     EXPECT_EQ(executor->most, expected) << threads << " threads of " << concurrency;

@@ -1,6 +1,6 @@
 /// @file
-/// Small worlds in which most bodies move: engine `stream` sweeps them in every update, unless bodies
-/// tremble.
+/// Worlds in which most bodies move: engine `stream` sweeps small ones in every update, unless bodies
+/// tremble, and gives large ones fat boxes, unless these do not last.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -17,14 +17,11 @@ namespace {
 using contract::Random;
 
 constexpr std::size_t kFewBodies = 500;
+constexpr std::size_t kManyBodies = 4000;
 
-class SmallWorldTest : public testing::Test {
+class WorldInMotion : public testing::Test {
  protected:
-  SmallWorldTest() { EXPECT_TRUE(engine_.update().ok()); }
-
-  void SetUp() override {
-    if (find_kernels(VectorIsa::best)->sweep == nullptr) GTEST_SKIP() << "nothing is swept on this processor";
-  }
+  explicit WorldInMotion(std::size_t bodies) : courses_(bodies, 1) { EXPECT_TRUE(engine_.update().ok()); }
 
   /// Moves all bodies that `every` divides; expects the pairs of brute force.
   void update_with(const std::vector<Aabb>& boxes, std::size_t every = 1) {
@@ -46,10 +43,32 @@ class SmallWorldTest : public testing::Test {
   }
   std::uint64_t full_updates() const { return counter(engine_, "full updates"); }
 
-  Courses courses_{kFewBodies, 1};
+  /// To and fro like those that tremble, but so far that fat boxes do not last.
+  void shake_hard(std::uint64_t frame) {
+    std::vector<Aabb> boxes = courses_.boxes();
+    shake(boxes, 0.6F, frame);
+    update_with(boxes);
+  }
+  bool has_fat_boxes() const { return counter(engine_, "candidates") > engine_.pairs().size(); }
+
+  Courses courses_;
   Broadphase engine_ = engine_with(courses_.boxes());
   std::vector<Aabb> shown_ = courses_.boxes();
   bool was_full_ = false;  // the last update
+};
+
+class SmallWorldTest : public WorldInMotion {
+ protected:
+  SmallWorldTest() : WorldInMotion(kFewBodies) {}
+
+  void SetUp() override {
+    if (find_kernels(VectorIsa::best)->sweep == nullptr) GTEST_SKIP() << "nothing is swept on this processor";
+  }
+};
+
+class LargeWorldTest : public WorldInMotion {
+ protected:
+  LargeWorldTest() : WorldInMotion(kManyBodies) {}
 };
 
 TEST_F(SmallWorldTest, IsSweptInEveryUpdateWhileBodiesKeepTheirCourse) {
@@ -81,14 +100,11 @@ TEST_F(SmallWorldTest, HasFatBoxesWhileBodiesCreep) {
   EXPECT_EQ(full, 0U);
 }
 
-// They go to and fro like those that tremble, but so far that fat boxes do not last.
 TEST_F(SmallWorldTest, IsSweptMostOfTheTimeWhereFatBoxesAreTriedAndDoNotLast) {
   std::size_t with_fat_boxes = 0;
   for (std::uint64_t frame = 0; frame < 200; ++frame) {
-    std::vector<Aabb> boxes = courses_.boxes();
-    shake(boxes, 0.6F, frame);
-    ASSERT_NO_FATAL_FAILURE(update_with(boxes));
-    with_fat_boxes += counter(engine_, "candidates") > engine_.pairs().size() ? 1 : 0;
+    ASSERT_NO_FATAL_FAILURE(shake_hard(frame));
+    with_fat_boxes += has_fat_boxes() ? 1 : 0;
   }
   EXPECT_GT(with_fat_boxes, 0U);
   EXPECT_LT(with_fat_boxes, 60U);
@@ -153,6 +169,71 @@ TEST_F(SmallWorldTest, WithAMarginHasFatBoxesAtOnce) {
     EXPECT_TRUE(is_exact(engine, courses_.boxes()));
   }
   EXPECT_GT(counter(engine, "in-place updates"), 0U);
+}
+
+TEST_F(LargeWorldTest, HasFatBoxesWhileBodiesKeepTheirCourse) {
+  std::uint64_t full = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    ASSERT_NO_FATAL_FAILURE(go_on());
+    EXPECT_TRUE(has_fat_boxes()) << "frame " << frame;
+    full += was_full_ ? 1 : 0;
+  }
+  EXPECT_LT(full, 4U);
+}
+
+// Where each update makes them anew, they take more than to find everything.
+TEST_F(LargeWorldTest, DoesWithoutFatBoxesThatDoNotLast) {
+  for (std::uint64_t frame = 0; frame < 10; ++frame) ASSERT_NO_FATAL_FAILURE(shake_hard(frame));
+  for (std::uint64_t frame = 10; frame < 60; ++frame) {
+    ASSERT_NO_FATAL_FAILURE(shake_hard(frame));
+    EXPECT_TRUE(was_full_) << "frame " << frame;
+    EXPECT_FALSE(has_fat_boxes()) << "frame " << frame;
+  }
+}
+
+// A few bodies tell, within some updates.
+TEST_F(LargeWorldTest, HasFatBoxesAgainSoonAfterTheyWouldLast) {
+  for (int time = 0; time < 3; ++time) {
+    for (std::uint64_t frame = 0; frame < 20; ++frame) ASSERT_NO_FATAL_FAILURE(shake_hard(frame));
+    EXPECT_FALSE(has_fat_boxes());
+    for (int frame = 0; frame < 26; ++frame) {
+      ASSERT_NO_FATAL_FAILURE(time == 1 ? tremble(static_cast<std::uint64_t>(frame)) : go_on());
+    }
+    for (int frame = 0; frame < 4; ++frame) {
+      ASSERT_NO_FATAL_FAILURE(time == 1 ? tremble(static_cast<std::uint64_t>(frame)) : go_on());
+      EXPECT_TRUE(has_fat_boxes()) << "time " << time << ", frame " << frame;
+    }
+  }
+}
+
+TEST_F(LargeWorldTest, HasFatBoxesAtOnceWhenFewMove) {
+  for (std::uint64_t frame = 0; frame < 20; ++frame) ASSERT_NO_FATAL_FAILURE(shake_hard(frame));
+  for (int frame = 0; frame < 10; ++frame) {
+    ASSERT_NO_FATAL_FAILURE(go_on(20));
+    if (frame > 1) {
+      EXPECT_FALSE(was_full_) << "frame " << frame;
+    }
+  }
+}
+
+// Of those that have fat boxes on trial, some go, and others get their slots.
+TEST_F(LargeWorldTest, IsExactWhileBodiesComeAndGo) {
+  Random& random = courses_.random();
+  for (std::uint64_t frame = 0; frame < 60; ++frame) {
+    for (int turn = 0; turn < 40; ++turn) {
+      const auto body = static_cast<BodyId>(random.below(kManyBodies));
+      ASSERT_TRUE(engine_.remove({&body, 1}).ok());
+      if (turn == 20) {
+        ASSERT_TRUE(engine_.update().ok());
+      }
+      ASSERT_TRUE(engine_.insert({&body, 1}, {&shown_[body], 1}).ok());
+    }
+    if (frame % 30 < 15) {
+      ASSERT_NO_FATAL_FAILURE(shake_hard(frame));
+    } else {
+      ASSERT_NO_FATAL_FAILURE(go_on());
+    }
+  }
 }
 
 }  // namespace

@@ -1,0 +1,128 @@
+#include "engines/stream/fat_box_choice.h"
+
+#include <algorithm>
+
+#include "base/tuning.h"
+
+namespace cellsweep::stream {
+namespace {
+
+std::uint64_t cost_of_placing(const FatBoxWork& work) {
+  return work.is_full ? tuning::kAllPlacedCost * work.bodies : tuning::kPlacedCost * work.placed;
+}
+
+}  // namespace
+
+bool FatBoxChoice::begin_update(Crew& crew, const BodyChanges& changes) {
+  if (!may_go_without_) return false;
+  note_size(changes.boxes.size());
+  much_motion_ = do_most_move(changes) && !changes.moved.empty();
+  if (!much_motion_) {
+    is_without_ = is_without_ && changes.moved.empty();
+    seen_ = 0;
+    is_tried_ = false;
+    return false;
+  }
+  if (is_without_ && is_small_) watch(changes);
+  if (is_without_ && !is_small_) go_on_with_trial(crew, changes);
+  return is_without_;
+}
+
+void FatBoxChoice::note_size(std::size_t slots) {
+  const bool is_small = can_sweep_ && slots <= tuning::kMostSweptInMotion;
+  if (is_small == is_small_) return;
+  *this = FatBoxChoice(may_go_without_, can_sweep_);
+  is_small_ = is_without_ = is_small;
+  settling_ = updates_of_settling();
+}
+
+std::uint32_t FatBoxChoice::updates_of_settling() const {
+  return is_small_ ? tuning::kUpdatesOfSettling : tuning::kUpdatesOfSettlingOfLarge;
+}
+
+void FatBoxChoice::note_anew(bool has_cells) {
+  if (!is_small_ || !has_cells) return;
+  try_fat_boxes();
+  pause_ = tuning::kPauseOfSweeps;
+}
+
+// Some bodies have fat boxes: that all bodies should is known as soon as these last.
+void FatBoxChoice::go_on_with_trial(Crew& crew, const BodyChanges& changes) {
+  crew.use(1);
+  if (!is_tried_ || !trial_.go_on(crew, changes)) trial_.begin(changes);
+  is_tried_ = true;
+  if (trial_.updates() < tuning::kUpdatesTried) return;
+  is_tried_ = false;
+  if (trial_.share_escaped() <= tuning::kMostEscapesOfTried) try_fat_boxes();
+}
+
+void FatBoxChoice::try_fat_boxes() {
+  is_without_ = false;
+  is_tried_ = false;
+  seen_ = 0;
+  stays_ = 0;
+  settling_ = updates_of_settling();
+  judged_ = 0;
+  excess_ = 0;
+  lasted_ = 0;
+}
+
+// After so many updates the verdict, and anew.
+void FatBoxChoice::watch(const BodyChanges& changes) {
+  if (seen_ == 0) {
+    watch_.begin(changes);
+  } else if (!watch_.see(changes)) {
+    seen_ = 0;
+    return;
+  }
+  if (++seen_ < tuning::kUpdatesWatched) return;
+  seen_ = 0;
+  stays_ = watch_.most_stay() ? stays_ + 1 : 0;
+  if (stays_ >= patience_) try_fat_boxes();
+}
+
+// Only where bodies move as much as in a world that is swept.
+void FatBoxChoice::note(const FatBoxWork& work) {
+  if (!may_go_without_ || !much_motion_) return;
+  if (pause_ > 0) {
+    --pause_;
+    return;
+  }
+  if (settling_ > 0 && work.is_full) {
+    --settling_;
+    return;
+  }
+  settling_ = 0;
+  const std::int64_t anew = cost_anew(work);
+  const std::int64_t most_excess = is_small_ ? tuning::kMostExcess : tuning::kMostExcessOfLarge;
+  excess_ += cost_of_fat_boxes(work) - anew;
+  if (++judged_ == tuning::kUpdatesJudged || excess_ > most_excess * anew) judge();
+}
+
+// In a large world candidates count where all were found: what lasts may have many, until it is refitted.
+std::int64_t FatBoxChoice::cost_of_fat_boxes(const FatBoxWork& work) const {
+  const std::uint64_t candidates = is_small_ || work.is_full ? work.candidates : 0;
+  return static_cast<std::int64_t>(tuning::kFatBoxCost * work.bodies + cost_of_placing(work) +
+                                   tuning::kCandidateCost * candidates);
+}
+
+std::int64_t FatBoxChoice::cost_anew(const FatBoxWork& work) const {
+  const std::uint64_t of_body = is_small_ ? tuning::kSweptCost : tuning::kAnewCost;
+  return static_cast<std::int64_t>(of_body * work.bodies + tuning::kAnewPairCost * work.pairs);
+}
+
+// Where fat boxes did not last, they are tried less soon again.
+void FatBoxChoice::judge() {
+  if (excess_ > 0) {
+    is_without_ = true;
+    lasted_ = 0;
+    patience_ = std::min(2 * patience_, tuning::kMostPatienceOfSweeps);
+  } else if (++lasted_ == tuning::kMostPatienceOfSweeps) {
+    lasted_ = 0;
+    patience_ = 1;
+  }
+  judged_ = 0;
+  excess_ = 0;
+}
+
+}  // namespace cellsweep::stream
