@@ -68,8 +68,8 @@ TEST_F(FatBoxTrialTest, TellsThatNobodyLeavesThemWhileBodiesTremble) {
 }
 
 TEST_F(FatBoxTrialTest, TellsThatMostLeaveThemWhileBodiesLeap) {
-  const double share =
-      share_while([&](int frame) { return uniform_boxes(kInMotion, static_cast<std::uint64_t>(frame) + 10); });
+  const double share = share_while(
+      [&](int frame) { return uniform_boxes(kInMotion, static_cast<std::uint64_t>(frame) + 10); });
   EXPECT_GT(share, 0.9);
 }
 
