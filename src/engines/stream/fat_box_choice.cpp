@@ -81,7 +81,7 @@ void FatBoxChoice::watch(const BodyChanges& changes) {
   if (stays_ >= patience_) try_fat_boxes();
 }
 
-// Only where bodies move as much as in a world that is swept.
+// Only where bodies move as much as in a world that may do without.
 void FatBoxChoice::note(const FatBoxWork& work) {
   if (!may_go_without_ || !much_motion_) return;
   if (pause_ > 0) {

@@ -65,7 +65,7 @@ class FatBoxChoice {
   std::uint32_t pause_ = 0;     // updates that are not swept, whatever they take
   std::uint32_t settling_ = 0;  // updates at most before what fat boxes have to do counts
   std::uint32_t judged_ = 0;    // updates that count so far,
-  std::int64_t excess_ = 0;     // and what they took more than sweeps would have
+  std::int64_t excess_ = 0;     // and what they took more than without fat boxes
   std::uint32_t lasted_ = 0;    // so many times in a row that was less than nothing
   std::uint32_t stays_ = 0;     // so many times in a row most of those watched stayed,
   std::uint32_t patience_ = 1;  // of so many, after which fat boxes are tried

@@ -68,6 +68,26 @@ std::uint32_t places_for(const Order& order) {
 
 }  // namespace
 
+// Calls `see(on_axis, on_others)` for so many boxes, a multiple of eight, or for all if there are no more.
+// They are of places of chance: those at equal distances may have something in common.
+template <std::size_t kCount, class See>
+void NumberMap::look_at(const Kernels& kernels, std::span<const Aabb> boxes, const See& see) const {
+  constexpr std::size_t kEight = 8;
+  for (std::size_t first = 0; first < kCount; first += kEight) {
+    std::array<Aabb, kEight> eight;
+    for (std::size_t i = first; i < first + kEight; ++i) {
+      const std::size_t from = i * boxes.size() / kCount;
+      const std::size_t to = (i + 1) * boxes.size() / kCount;
+      eight[i - first] = from < to ? boxes[from + mix64(i) % (to - from)] : kNobody;
+    }
+    EightRows rows;
+    kernels.eight_rows(eight.data(), numbers_, axis_, rows);
+    for (std::size_t i = 0; i < kEight; ++i) {
+      if ((rows.there >> i & 1) != 0) see(rows.on_axis[i], rows.on_others[i]);
+    }
+  }
+}
+
 void NumberMap::learn(std::span<const Aabb> boxes) {
   const BoxSample sample = take_rough_sample({boxes.data(), boxes.size()});
   const Order order = choose_order(sample);
@@ -90,62 +110,39 @@ bool NumberMap::is_good_for(const Kernels& kernels, std::span<const Aabb> boxes)
   return most_are_inside(kernels, boxes);
 }
 
-// A box has as many of those looked at behind it as meet it. They are of places of chance: those at equal
-// distances may have something in common.
-double NumberMap::comparisons(const Kernels& kernels, std::span<const Aabb> boxes) const {
-  constexpr std::size_t kLookedAt = 64, kEight = 8;
-  std::array<std::uint32_t, kLookedAt> low, high;  // NOLINT(*-member-init): as far as they are read
-  std::size_t count = 0;
-  for (std::size_t first = 0; first < kLookedAt; first += kEight) {
-    std::array<Aabb, kEight> eight;
-    for (std::size_t i = 0; i < kEight; ++i) {
-      const std::size_t from = (first + i) * boxes.size() / kLookedAt;
-      const std::size_t to = (first + i + 1) * boxes.size() / kLookedAt;
-      eight[i] = boxes[from + mix64(first + i) % (to - from)];
-    }
-    EightRows rows;
-    kernels.eight_rows(eight.data(), numbers_, axis_, rows);
-    for (std::size_t i = 0; i < kEight; ++i) {
-      low[count] = rows.on_axis[i] & 0xffffU;
-      high[count] = rows.on_axis[i] >> 16;
-      count += rows.there >> i & 1;
-    }
-  }
-  std::size_t met = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < i; ++j) met += (low[i] <= high[j] ? 1U : 0U) & (low[j] <= high[i] ? 1U : 0U);
-  }
-  const double pairs = static_cast<double>(count * (count - 1)) / 2;
-  return count < 2 ? 0 : static_cast<double>(met) / pairs * static_cast<double>(boxes.size()) / 2;
-}
-
 // Most must not lie at the ends of an axis.
 bool NumberMap::most_are_inside(const Kernels& kernels, std::span<const Aabb> boxes) const {
-  constexpr std::size_t kLookedAt = 32, kEight = 8;
-  const std::size_t step = boxes.size() / kLookedAt + 1;
-  const auto are_beyond = [&](unsigned axis, std::uint32_t low, std::uint32_t high) {
-    const bool is_cut = numbers_.scale[axis] > 0;
+  constexpr std::size_t kLookedAt = 32;
+  const auto is_beyond = [&](unsigned axis, std::uint32_t low, std::uint32_t high) {
     const std::uint32_t top = axis == axis_ ? places_ - 1 : kBytes - 1;
-    return is_cut && (low == top || high == 0);
+    return numbers_.scale[axis] > 0 && (low == top || high == 0);
   };
   std::size_t beyond = 0;
-  for (std::size_t slot = 0; slot < boxes.size();) {
-    std::array<Aabb, kEight> eight;
-    for (Aabb& box : eight) {
-      box = slot < boxes.size() ? boxes[slot] : kNobody;
-      slot += step;
-    }
-    EightRows rows;
-    kernels.eight_rows(eight.data(), numbers_, axis_, rows);
-    for (unsigned i = 0; i < kEight; ++i) {
-      const std::uint32_t on_axis = rows.on_axis[i], on_others = rows.on_others[i];
-      const bool is_beyond = are_beyond(axis_, on_axis & 0xffffU, on_axis >> 16) ||
-                             are_beyond((axis_ + 1) % 3, on_others & 0xffU, on_others >> 8 & 0xffU) ||
-                             are_beyond((axis_ + 2) % 3, on_others >> 16 & 0xffU, on_others >> 24);
-      beyond += is_beyond && (rows.there >> i & 1) != 0 ? 1 : 0;
-    }
-  }
+  look_at<kLookedAt>(kernels, boxes, [&](std::uint32_t on_axis, std::uint32_t on_others) {
+    const bool on_any = is_beyond(axis_, on_axis & 0xffffU, on_axis >> 16) ||
+                        is_beyond((axis_ + 1) % 3, on_others & 0xffU, on_others >> 8 & 0xffU) ||
+                        is_beyond((axis_ + 2) % 3, on_others >> 16 & 0xffU, on_others >> 24);
+    beyond += on_any ? 1 : 0;
+  });
   return beyond < kLookedAt / 4;
+}
+
+// A box has as many of those looked at behind it as meet it.
+double NumberMap::comparisons(const Kernels& kernels, std::span<const Aabb> boxes) const {
+  constexpr std::size_t kLookedAt = 64;
+  std::array<std::uint32_t, kLookedAt> low, high;  // NOLINT(*-member-init): as far as they are read
+  std::size_t count = 0;
+  std::size_t met = 0;
+  look_at<kLookedAt>(kernels, boxes, [&](std::uint32_t on_axis, std::uint32_t) {
+    low[count] = on_axis & 0xffffU;
+    high[count] = on_axis >> 16;
+    for (std::size_t i = 0; i < count; ++i)
+      met += (low[i] <= high[count] ? 1U : 0U) & (low[count] <= high[i] ? 1U : 0U);
+    ++count;
+  });
+  if (count < 2) return 0;
+  const double pairs = static_cast<double>(count * (count - 1)) / 2;
+  return static_cast<double>(met) / pairs * static_cast<double>(boxes.size()) / 2;
 }
 
 }  // namespace cellsweep::stream

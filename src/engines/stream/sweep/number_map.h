@@ -23,7 +23,7 @@ class NumberMap {
   bool is_good_for(const Kernels& kernels, std::span<const Aabb> boxes);
 
   /// With how many behind it a box would be compared in the order of the axis, in the mean, as far as a few
-  /// of them tell; of 64 boxes at least.
+  /// of them tell.
   double comparisons(const Kernels& kernels, std::span<const Aabb> boxes) const;
 
   const GridNumbers& numbers() const { return numbers_; }
@@ -31,6 +31,8 @@ class NumberMap {
   std::uint32_t places() const { return places_; }  ///< numbers on it, a power of two
 
  private:
+  template <std::size_t kCount, class See>
+  void look_at(const Kernels& kernels, std::span<const Aabb> boxes, const See& see) const;
   bool most_are_inside(const Kernels& kernels, std::span<const Aabb> boxes) const;
 
   GridNumbers numbers_{};
