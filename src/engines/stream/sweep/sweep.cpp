@@ -60,7 +60,7 @@ void Sweep::make_rows(const Kernels& kernels, std::span<const Aabb> boxes) {
 
 // Of few boxes too little is known to tell, and to sort them takes little.
 bool Sweep::promises(const Kernels& kernels, std::span<const Aabb> boxes) const {
-  return boxes.size() <= tuning::kMostSwept ||
+  return boxes.size() <= tuning::kMostSweptInMotion ||
          map_.comparisons(kernels, boxes) <= kBytesOfLane * kernels.lanes * tuning::kVectorsExpected;
 }
 
