@@ -31,9 +31,11 @@ bool FatBoxChoice::begin_update(Crew& crew, const BodyChanges& changes) {
 void FatBoxChoice::note_size(std::size_t slots) {
   const bool is_small = can_sweep_ && slots <= tuning::kMostSweptInMotion;
   if (is_small == is_small_) return;
-  *this = FatBoxChoice(may_go_without_, can_sweep_);
-  is_small_ = is_without_ = is_small;
-  settling_ = updates_of_settling();
+  is_small_ = is_small;
+  try_fat_boxes();
+  is_without_ = is_small;
+  pause_ = 0;
+  patience_ = 1;
 }
 
 std::uint32_t FatBoxChoice::updates_of_settling() const {

@@ -47,8 +47,8 @@ class FatBoxChoice {
 
  private:
   void note_size(std::size_t slots);
-  void watch(const BodyChanges& changes);
-  void go_on_with_trial(Crew& crew, const BodyChanges& changes);
+  [[gnu::cold]] void watch(const BodyChanges& changes);
+  [[gnu::cold]] void go_on_with_trial(Crew& crew, const BodyChanges& changes);
   std::uint32_t updates_of_settling() const;
   std::int64_t cost_of_fat_boxes(const FatBoxWork& work) const;
   std::int64_t cost_anew(const FatBoxWork& work) const;

@@ -41,8 +41,8 @@ cellsweep_stream_options options_with(const cellsweep_executor& executor) {
 }
 
 /// Enough of them for every task.
-std::vector<cellsweep_aabb> cubes_in_a_row() {
-  std::vector<cellsweep_aabb> cubes(3000, kCube);
+std::vector<cellsweep_aabb> cubes_in_a_row(std::size_t count = 3000) {
+  std::vector<cellsweep_aabb> cubes(count, kCube);
   for (std::size_t i = 0; i < cubes.size(); ++i) {
     cubes[i].min[0] += static_cast<float>(i);
     cubes[i].max[0] += static_cast<float>(i);
@@ -96,7 +96,7 @@ TEST(CExecutor, IsNotReleasedByACallThatFailsOrDoesNotKeepIt) {
   find.size = sizeof find;
   find.threads = 4;
   find.executor = &executor;
-  const auto cubes = cubes_in_a_row();
+  const auto cubes = cubes_in_a_row(100'000);  // fewer on a line are swept, by the caller alone
   uint64_t count = 0;
   EXPECT_EQ(cellsweep_count_pairs(cellsweep_boxes_of(cubes.data(), cubes.size()), &find, &count, nullptr),
             CELLSWEEP_OK);

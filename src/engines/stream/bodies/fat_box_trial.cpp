@@ -14,7 +14,7 @@ void FatBoxTrial::begin(const BodyChanges& changes) {
   }
   updates_ = 0;
   escaped_ = 0;
-  fat_boxes_ = FatBoxes();
+  fat_boxes_.drop_slack();
 }
 
 bool FatBoxTrial::go_on(Crew& crew, const BodyChanges& changes) {

@@ -21,13 +21,13 @@ class FatBoxTrial {
 
   /// Goes on with an update that follows. False when one of them is not there any more: then begin() is to
   /// follow.
-  bool go_on(Crew& crew, const BodyChanges& changes);
+  [[gnu::cold]] bool go_on(Crew& crew, const BodyChanges& changes);
 
   /// Updates since begin().
   std::uint32_t updates() const { return updates_; }
   /// The share of them that left their fat boxes in an update, in the mean; of the first ones, that made
   /// these, nothing counts.
-  double share_escaped() const;
+  [[gnu::cold]] double share_escaped() const;
 
  private:
   static constexpr std::uint32_t kSettling = 4;

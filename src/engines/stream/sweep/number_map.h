@@ -24,7 +24,7 @@ class NumberMap {
 
   /// With how many behind it a box would be compared in the order of the axis, in the mean, as far as a few
   /// of them tell.
-  double comparisons(const Kernels& kernels, std::span<const Aabb> boxes) const;
+  [[gnu::cold]] double comparisons(const Kernels& kernels, std::span<const Aabb> boxes) const;
 
   const GridNumbers& numbers() const { return numbers_; }
   unsigned axis() const { return axis_; }           ///< of the order
@@ -33,7 +33,7 @@ class NumberMap {
  private:
   template <std::size_t kCount, class See>
   void look_at(const Kernels& kernels, std::span<const Aabb> boxes, const See& see) const;
-  bool most_are_inside(const Kernels& kernels, std::span<const Aabb> boxes) const;
+  [[gnu::cold]] bool most_are_inside(const Kernels& kernels, std::span<const Aabb> boxes) const;
 
   GridNumbers numbers_{};
   unsigned axis_ = 0;

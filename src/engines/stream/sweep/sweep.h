@@ -30,7 +30,7 @@ class Sweep {
  private:
   void sort(const Kernels& kernels, std::span<const Aabb> boxes);
   void make_rows(const Kernels& kernels, std::span<const Aabb> boxes);
-  bool promises(const Kernels& kernels, std::span<const Aabb> boxes) const;
+  [[gnu::cold]] bool promises(const Kernels& kernels, std::span<const Aabb> boxes) const;
   bool pays(const Kernels& kernels) const;
   bool find_pairs(const Kernels& kernels, std::span<const Aabb> boxes, KeyBuffer& found);
 
