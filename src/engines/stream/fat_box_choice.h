@@ -27,8 +27,8 @@ struct FatBoxWork {
 ///
 /// Small worlds begin without: to sweep them takes no longer than fat boxes while most bodies are on their
 /// way, and each update as long as the one before. Where bodies tremble or stop, fat boxes last. Some bodies,
-/// watched for some updates, tell whether to try them. In large worlds, which fat boxes suit better, some
-/// bodies have them all the time.
+/// watched for some updates, tell whether to try them. Large worlds, which fat boxes suit better, begin with
+/// them; while such a world does without, some bodies have them on trial.
 class FatBoxChoice {
  public:
   /// Whether there may be none; and whether small worlds can be swept.

@@ -33,7 +33,7 @@ struct StreamParts {
 /// Costs follow changes: nothing when nothing changed; the known candidates are tested again while all bodies
 /// stay inside of their fat boxes; the cells of those that left them are looked at when few did; everything
 /// is found anew when that is expected to take less time, as in every update of a small world in which most
-/// bodies move. Memory is linear in bodies and pairs.
+/// bodies move, or of one whose fat boxes do not last. Memory is linear in bodies and pairs.
 class Stream final : public Engine, public HasFinder {
  public:
   [[gnu::cold]] explicit Stream(StreamParts parts);

@@ -3,10 +3,12 @@
 /// tremble, and gives large ones fat boxes, unless these do not last.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "base/memory/starved.h"
 #include "engines/stream/courses.h"
 #include "engines/stream/kernels/kernel.h"
 #include "engines/stream/worlds.h"
@@ -234,6 +236,40 @@ TEST_F(LargeWorldTest, IsExactWhileBodiesComeAndGo) {
       ASSERT_NO_FATAL_FAILURE(go_on());
     }
   }
+}
+
+// In the updates in which fat boxes are given up, and their trial begins.
+TEST(WorldWithoutFatBoxes, ChangesNothingWhereMemoryFails) {
+  std::uint64_t places = 0;
+  for (std::uint64_t before = 3; before < 9; ++before) {
+    bool failed = true;
+    for (std::uint64_t n = 1; failed && !testing::Test::HasFailure(); ++n) {
+      const std::vector<Aabb> still = uniform_boxes(kManyBodies, 3);
+      Broadphase engine = engine_with(still);
+      std::vector<Aabb> shown;
+      const auto shake_hard = [&](std::uint64_t frame) {
+        shown = still;
+        shake(shown, 0.6F, frame);
+        move_every(engine, shown, 1);
+      };
+      const auto update = [&] { ASSERT_TRUE(engine.update().ok()); };
+      update();
+      for (std::uint64_t frame = 0; frame < before; ++frame) {
+        shake_hard(frame);
+        update();
+      }
+      const std::vector<Pair> pairs(engine.pairs().begin(), engine.pairs().end());
+      shake_hard(before);
+      failed = fails_at(n, update);
+      if (failed) {
+        ++places;
+        EXPECT_TRUE(std::ranges::equal(engine.pairs(), pairs)) << "update " << before << ", place " << n;
+        update();
+      }
+      EXPECT_TRUE(is_exact(engine, shown)) << "update " << before << ", place " << n;
+    }
+  }
+  EXPECT_GT(places, 4U) << "memory is asked for in fewer places than there are";
 }
 
 }  // namespace
