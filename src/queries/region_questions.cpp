@@ -8,6 +8,7 @@
 #include "geometry/canonical.h"
 #include "queries/nearest_walk.h"
 #include "queries/outward.h"
+#include "queries/region_box.h"
 #include "queries/region_walk.h"
 #include "queries/short_sort.h"
 
@@ -19,29 +20,33 @@ using Slots = std::span<const Slot>;
 /// A region, canonical.
 class Reach {
  public:
-  explicit Reach(const Region& region)
-      : box_(canonical(region.box)), reach_(box_), distance_(region.distance) {
-    if (distance_ == 0) return;
-    // A distance that is computed may be less than the true one by a few roundings of it.
-    const double most = distance_ * (1 + 0x1p-50);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      reach_.min[axis] = below(box_.min[axis] - most);
-      reach_.max[axis] = above(box_.max[axis] + most);
-    }
+  explicit Reach(const Region& region) : box_(region.box), around_(box_), distance_(region.distance) {
+    if (distance_ != 0) around_ = RegionBox(box_around(box_.box(), distance_));
   }
 
   /// A box around the region.
-  const Aabb& box() const { return reach_; }
+  const RegionBox& around() const { return around_; }
   double distance() const { return distance_; }
   /// How far it is to each of some boxes; behind the last distance there is room for kDistancesAtOnce.
   void measure(const World& world, Slots slots, double* distances) const {
     world.kernels().distances(world.boxes().data(), slots.data(), static_cast<std::uint32_t>(slots.size()),
-                              box_, distances);
+                              box_.box(), distances);
   }
 
  private:
-  Aabb box_;
-  Aabb reach_;
+  static Aabb box_around(const Aabb& box, double distance) {
+    // A distance that is computed may be less than the true one by a few roundings of it.
+    const double most = distance * (1 + 0x1p-50);
+    Aabb around;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      around.min[axis] = below(box.min[axis] - most);
+      around.max[axis] = above(box.max[axis] + most);
+    }
+    return around;
+  }
+
+  RegionBox box_;
+  RegionBox around_;
   double distance_;
 };
 
@@ -85,7 +90,7 @@ class NearBodies {
 template <class Visit>
 void for_each_near(const Asked& asked, const Reach& reach, const Visit& visit) {
   NearBodies near(asked.world, reach);
-  walk_region(asked.world, reach.box(), [&](Slots slots) {
+  walk_region(asked.world, reach.around(), [&](Slots slots) {
     const std::size_t count = near.find(slots);
     for (std::size_t i = 0; i < count; ++i) {
       if (asked.world.is_answer(asked.filter, near.slot(i)) && !visit(near.slot(i))) return false;
@@ -99,9 +104,9 @@ template <class Visit>
 void for_each_overlap(const Asked& asked, const Reach& reach, const Visit& visit) {
   if (reach.distance() > 0) return for_each_near(asked, reach, visit);
   const bool overlap_for_certain = asked.world.overlaps_are_certain();
-  walk_region(asked.world, reach.box(), [&](Slots slots) {
+  walk_region(asked.world, reach.around(), [&](Slots slots) {
     for (const Slot slot : slots) {
-      if (!overlap_for_certain && !overlap(reach.box(), asked.world.box(slot))) continue;
+      if (!overlap_for_certain && !overlap(reach.around().box(), asked.world.box(slot))) continue;
       if (asked.world.is_answer(asked.filter, slot) && !visit(slot)) return false;
     }
     return true;
@@ -142,7 +147,7 @@ class WithinReach {
 template <class Take>
 void for_each_within(const Asked& asked, const Reach& reach, const Take& take) {
   WithinReach within(asked, reach, take);
-  walk_region(asked.world, reach.box(), [&](Slots slots) {
+  walk_region(asked.world, reach.around(), [&](Slots slots) {
     within.add(slots);
     return true;
   });
@@ -159,7 +164,7 @@ void list_overlaps(const Asked& asked, const Region& region, std::vector<BodyId>
   const std::size_t before = found.size();
   const Reach reach(region);
   if (are_all_answers(asked, reach)) {
-    walk_region(asked.world, reach.box(), [&](Slots slots) {
+    walk_region(asked.world, reach.around(), [&](Slots slots) {
       // Ids at once: where memory runs out later on, the caller has no slots in their place.
       const std::size_t here = found.size();
       found.resize(here + slots.size());

@@ -83,9 +83,58 @@ struct Avx512TaggedLanes : Avx512QueryLanes {
   }
 };
 
+/// The largest number below one that is canonical.
+float next_below(float number) {
+  if (number == 0) return -__FLT_DENORM_MIN__;
+  const auto bits = __builtin_bit_cast(std::uint32_t, number);
+  return __builtin_bit_cast(float, number > 0 ? bits - 1 : bits + 1);
+}
+
+/// Eight boxes of a cell, two in a vector as they lie there: one comparison tells of all numbers of both,
+/// which takes less than to put the boxes side by side. A box overlaps another one when its minima are no
+/// more than that one's maxima, and its maxima are more than the numbers below that one's minima.
+class Avx512InCell {
+ public:
+  static constexpr std::uint32_t kBoxes = 8;
+
+  explicit Avx512InCell(const Aabb& box)
+      : bounds_(twice(_mm256_setr_ps(box.max[0], box.max[1], box.max[2], next_below(box.min[0]),
+                                     next_below(box.min[1]), next_below(box.min[2]), 0, 0))) {}
+
+  std::uint64_t test(const stream::TaggedBox* boxes) const {
+    const __mmask64 four = _mm512_kunpackd(two(boxes + 6, boxes + 4), two(boxes + 2, boxes));
+    return low_bits(no_bits_wrong(std::uint64_t{four}));
+  }
+
+ private:
+  static __m512 twice(__m256 numbers) {
+    return __builtin_shufflevector(numbers, numbers, 0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7);
+  }
+
+  // A bit for each number that is no more than its bound: eight for each of four boxes.
+  __mmask32 two(const stream::TaggedBox* high, const stream::TaggedBox* low) const {
+    return _mm512_kunpackw(no_more(high), no_more(low));
+  }
+  __mmask16 no_more(const stream::TaggedBox* two) const {
+    return _mm512_cmp_ps_mask(_mm512_loadu_ps(two), bounds_, _CMP_LE_OQ);
+  }
+
+  // The top bit but one of each byte whose lower six are those of a box that overlaps.
+  static std::uint64_t no_bits_wrong(std::uint64_t bytes) {
+    constexpr std::uint64_t kEach = 0x0101010101010101;
+    const std::uint64_t wrong = (bytes & kEach * 0x3f) ^ kEach * 0x07;
+    return (kEach * 0x40 - wrong) & kEach * 0x40;
+  }
+  // Of eight bytes, as eight bits.
+  static std::uint64_t low_bits(std::uint64_t bytes) { return (bytes >> 6) * 0x0102040810204080 >> 56; }
+
+  __m512 bounds_;
+};
+
 }  // namespace
 
 constinit const QueryKernels kAvx512Queries =
-    make_query_kernels<Avx512TaggedLanes, Avx512QueryLanes, Avx2QueryLanes>(VectorIsa::avx512, kAvx2Trees);
+    make_query_kernels<Avx512TaggedLanes, Avx512QueryLanes, Avx2QueryLanes, Avx512InCell>(VectorIsa::avx512,
+                                                                                          kAvx2Trees);
 
 }  // namespace cellsweep::queries

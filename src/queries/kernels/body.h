@@ -4,6 +4,7 @@
 
 #include "cellsweep/engine/cell_boxes.h"
 #include "queries/kernels/distances.h"
+#include "queries/kernels/in_cell.h"
 #include "queries/kernels/kernel.h"
 #include "queries/kernels/lanes.h"
 #include "queries/kernels/rank.h"
@@ -23,16 +24,14 @@ constexpr TreeKernels make_tree_kernels() {
           walk_tree_to_any<Lanes>, node_distances<Lanes>};
 }
 
-/// `Tagged` are the lanes for boxes of cells, `Plain` for others, `Few` for what is quicker in few lanes.
-template <class Tagged, class Plain, class Few>
+/// `Tagged` are the lanes for boxes of cells, `Plain` for others, `Few` for what is quicker in few lanes;
+/// `InCell` tests boxes of a cell for overlaps.
+template <class Tagged, class Plain, class Few, class InCell = TestInCell<Few>>
 constexpr QueryKernels make_query_kernels(VectorIsa isa, const TreeKernels& trees) {
   static_assert(Tagged::kCount <= kMostLanes && kRowBoxes % Tagged::kCount == 0);
   return {isa,
-          [](const BoxRow& row, const Aabb& box, std::uint32_t* places) {
-            return is_tagged(row) ? find_overlaps<Tagged>(row, box, places)
-                                  : find_overlaps<Plain>(row, box, places);
-          },
-          find_overlaps<Few>,
+          find_overlaps<Plain>,
+          find_overlaps_in_cell<InCell>,
           [](const BoxRow& row, const CastNumbers& path, std::uint32_t* places) {
             return is_tagged(row) ? find_on_path<Tagged>(row, path, places)
                                   : find_on_path<Plain>(row, path, places);

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "cellsweep/aabb.h"
+#include "cellsweep/engine/cell_boxes.h"
 #include "cellsweep/vector_isa.h"
 #include "queries/kernels/tree_node.h"
 
@@ -101,8 +102,11 @@ struct QueryKernels {
   /// Boxes that overlap one: exactly those.
   std::uint32_t (*overlap)(const BoxRow& row, const Aabb& box, std::uint32_t* places);
 
-  /// The same, sooner where hardly any do, as of a point.
-  std::uint32_t (*overlap_few)(const BoxRow& row, const Aabb& box, std::uint32_t* places);
+  /// Of at most kRowBoxes boxes of a cell, those that overlap one where the cell owns the pair, as
+  /// stream::Kernels says: with `flags`, where the one starts in the cell, their tags have all. Exactly
+  /// those; writes their slots.
+  std::uint32_t (*overlap_in_cell)(const stream::TaggedBox* boxes, std::uint32_t count, const Aabb& box,
+                                   std::uint32_t flags, std::uint32_t* slots);
 
   /// Boxes that a path touches.
   std::uint32_t (*cast)(const BoxRow& row, const CastNumbers& path, std::uint32_t* places);

@@ -83,9 +83,10 @@ class Grid {
 
   GridNumbers numbers() const;
 
-  CellBlock block_of(const Aabb& box) const {
-    const Int4 low = cells_of(load4(box, 0), origin_min_, scale_min_, top_min_);
-    const Int4 high = cells_of(load4(box, 2), origin_max_, scale_max_, top_max_);
+  CellBlock block_of(const Aabb& box) const { return block_of(load4(box, 0), load4(box, 2)); }
+  CellBlock block_of(Float4 first_four, Float4 last_four) const {
+    const Int4 low = cells_of(first_four, origin_min_, scale_min_, top_min_);
+    const Int4 high = cells_of(last_four, origin_max_, scale_max_, top_max_);
     const auto x = static_cast<std::uint32_t>(low[0]);
     const auto y = static_cast<std::uint32_t>(low[1]);
     const auto z = static_cast<std::uint32_t>(low[2]);
