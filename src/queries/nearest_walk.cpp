@@ -71,10 +71,11 @@ class NearestWalk {
       numbers_.max[axis] = box.max[axis];
     }
     numbers_.most = square_above(std::max(nearest.most(), 0.0));
+    numbers_.wants_one = nearest.room() == 1;
   }
 
   void walk(const BoxTree& tree) {
-    const auto take = [](void* self, const TreeNode& node, std::uint64_t* keys, std::uint32_t count) {
+    const auto take = [](void* self, const TreeNode& node, const std::uint64_t* keys, std::uint32_t count) {
       static_cast<NearestWalk*>(self)->look_at_bodies(node, {keys, count});
       return true;
     };
@@ -159,8 +160,9 @@ class NearestWalk {
   Measured measured(const Aabb& box, Slot slot) const { return {slot, distance_of(box, box_)}; }
   Measured measured(Slot slot) const { return measured(world_.box(slot), slot); }
 
-  // The distances of all bodies of a node are computed side by side where several of them will be asked for.
-  void look_at_bodies(const TreeNode& node, std::span<std::uint64_t> keys) {
+  // The nearest first. The distances of all bodies of a node are computed side by side where several of them
+  // will be asked for.
+  void look_at_bodies(const TreeNode& node, std::span<const std::uint64_t> keys) {
     constexpr std::size_t kSeveral = 4;
     const auto is_here = [](Slot) { return true; };
     if (keys.size() < kSeveral || nearest_.room() == 1) {
@@ -168,12 +170,12 @@ class NearestWalk {
         const Candidate candidate = candidate_of(node, place);
         return measured(candidate.box, candidate.slot);
       };
-      look_at_nearest(keys, one, is_here);
+      look_in_order(keys, one, is_here);
     } else {
       std::array<double, TreeNode::kBoxes> distances;  // NOLINT(*-member-init): the kernel writes all
       world_.kernels().trees->distances(node, box_, distances.data());
       const auto one = [&](std::uint32_t place) { return Measured{node.content[place], distances[place]}; };
-      look_at_nearest(keys, one, is_here);
+      look_in_order(keys, one, is_here);
     }
   }
 
@@ -182,6 +184,13 @@ class NearestWalk {
   template <class MeasuredAt, class IsHere>
   void look_at_nearest(std::span<std::uint64_t> keys, const MeasuredAt& measured_at, const IsHere& is_here) {
     put_least_first(keys, std::min(nearest_.room(), keys.size()));
+    look_in_order(keys, measured_at, is_here);
+  }
+
+  // At those that are still near enough.
+  template <class MeasuredAt, class IsHere>
+  void look_in_order(std::span<const std::uint64_t> keys, const MeasuredAt& measured_at,
+                     const IsHere& is_here) {
     for (const std::uint64_t key : keys) {
       if (std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)) > numbers_.most) continue;
       offer(measured_at(static_cast<std::uint32_t>(key)), is_here);

@@ -8,6 +8,7 @@
 #include "queries/kernels/kernel.h"
 #include "queries/kernels/lanes.h"
 #include "queries/kernels/rank.h"
+#include "queries/kernels/tree_near.h"
 #include "queries/kernels/tree_paths.h"
 #include "queries/kernels/tree_walk.h"
 

@@ -63,6 +63,7 @@ struct NearNumbers {
   float min[3];
   float max[3];
   float most;
+  bool wants_one;  ///< and no other body, however many are as near
 };
 
 /// Who gets what a walk through a tree finds: bodies of a node, a bit for each. False ends the walk. The
@@ -73,7 +74,7 @@ struct TakeBodies {
 };
 /// The same with keys, whose lower half is a body's place in the node.
 struct TakeNearBodies {
-  bool (*take)(void* self, const TreeNode& node, std::uint64_t* keys, std::uint32_t count);
+  bool (*take)(void* self, const TreeNode& node, const std::uint64_t* keys, std::uint32_t count);
   void* self;
 };
 

@@ -17,6 +17,15 @@ struct PortableQueryLanes : LanesInOrder<4> {
     for (unsigned face = 0; face < 6; ++face)
       faces[face] = Vector{number(0, face), number(1, face), number(2, face), number(3, face)};
   }
+  /// Of the numbers whose bits are set the lane of the least.
+  static unsigned least(const float (&numbers)[16], std::uint32_t bits) {
+    auto lane = static_cast<unsigned>(__builtin_ctz(bits));
+    for (bits &= bits - 1; bits != 0; bits &= bits - 1) {
+      const auto other = static_cast<unsigned>(__builtin_ctz(bits));
+      lane = numbers[other] < numbers[lane] ? other : lane;
+    }
+    return lane;
+  }
   static Doubles doubles(Vector floats, unsigned first) { return Doubles{floats[first], floats[first + 1]}; }
   static Doubles roots(Doubles squares) {
     return Doubles{__builtin_sqrt(squares[0]), __builtin_sqrt(squares[1])};

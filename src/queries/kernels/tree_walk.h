@@ -121,30 +121,5 @@ void walk_tree_for_overlaps(const TreeNode* nodes, const Aabb& box, const TakeBo
   }
 }
 
-template <class Lanes>
-void walk_tree_for_near(const TreeNode* nodes, const NearNumbers& question, const TakeNearBodies& take) {
-  NearLanes<Lanes> lanes(question);
-  // While nobody is found yet, all boxes of a node are near enough, and most need no order afterwards.
-  WaitingNodes<false> waiting(nodes);
-  float squares[TreeNode::kBoxes];
-  for (const TreeNode* node = nodes; node != nullptr;) {
-    const std::uint32_t bits = test_node<Lanes>(
-        *node, squares,
-        [&](const auto& faces, VectorOf<Lanes>& square) { return lanes.test(faces, square); });
-    std::uint64_t keys[TreeNode::kBoxes];
-    std::uint32_t found = 0;
-    const std::uint32_t bodies = bits & node->bodies;
-    for (std::uint32_t rest = bodies; rest != 0; rest &= rest - 1) {
-      const auto lane = static_cast<unsigned>(__builtin_ctz(rest));
-      keys[found++] = near_key(squares[lane], lane);
-    }
-    if (found > 0) {
-      if (!take.take(take.self, *node, keys, found)) return;
-      lanes.most = all<Lanes>(question.most);
-    }
-    node = waiting.next(*node, without(bits, bodies), squares, question.most);
-  }
-}
-
 }  // namespace
 }  // namespace cellsweep::queries
