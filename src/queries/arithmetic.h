@@ -84,9 +84,11 @@ class Cast {
  private:
   static constexpr double kSlack = 0x1p-51;
 
-  /// When a path has come to a box on each axis and on all, and when it has left it on one.
+  /// When a path has come to a box on each axis and on all, what it has to go until then, and when it has
+  /// left it on one.
   struct Times {
     double enters[3];
+    double gaps[3];
     double enter;
     double leave;
   };
@@ -121,11 +123,12 @@ class Cast {
 
   // Without a division: off by less than kSlack.
   Times about(const Aabb& box, double end) const {
-    Times times{{}, 0, end};
+    Times times{{}, {}, 0, end};
     for (std::size_t k = 0; k < 3; ++k) {
       const Axis& axis = axes_[k];
       if (axis.inverse == 0) continue;
-      times.enters[k] = gap_before(axis, box) * axis.inverse;
+      times.gaps[k] = gap_before(axis, box);
+      times.enters[k] = times.gaps[k] * axis.inverse;
       times.enter = std::max(times.enter, times.enters[k]);
       times.leave = std::min(times.leave, gap_behind(axis, box) * axis.inverse);
     }
@@ -148,8 +151,13 @@ class Cast {
     const auto& [x, y, z] = about.enters;
     const double second = std::max(std::min(x, y), std::min(std::max(x, y), z));
     if (second >= about.enter * (1 - 2 * kSlack)) return first_exactly(box);
-    const std::size_t of_two = y > x ? 1 : 0;
-    return std::max(0.0, enters_exactly(z > about.enters[of_two] ? axes_[2] : axes_[of_two], box));
+    // Which axis that is nobody could foretell: no branch depends on it.
+    using Way [[gnu::vector_size(16)]] = double;
+    const auto way = [&](std::size_t axis) { return Way{about.gaps[axis], axes_[axis].direction}; };
+    const auto both = [](double number) { return Way{number, number}; };
+    const Way of_two = both(y) > both(x) ? way(1) : way(0);
+    const Way last = both(z) > both(std::max(x, y)) ? way(2) : of_two;
+    return std::max(0.0, last[0] / last[1]);
   }
 
   double first_exactly(const Aabb& box) const {

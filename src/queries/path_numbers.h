@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cfloat>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,7 @@ class PathNumbers {
   explicit PathNumbers(const Path& path) {
     const double largest = largest_component(path);
     const Scale scale(largest);
-    scale_ = scale.factor;
+    scale_above_ = scale.factor * (1 + 0x1p-22);
     const auto& [x, y, z] = path.direction;
     const Float4 direction = {static_cast<float>(x * scale.inverse), static_cast<float>(y * scale.inverse),
                               static_cast<float>(z * scale.inverse), 1};
@@ -34,14 +35,15 @@ class PathNumbers {
     numbers_.is_flat = on_any_axis(flat) || largest < kAllHaveInverses;
     if (numbers_.is_flat) set_flat(path, flat);
     end(path.end);
-    numbers_.certain_end = below(std::min(path.end * scale_, kFarthest));
+    numbers_.certain_end = below(std::min(path.end * scale.factor, kFarthest));
   }
 
   const CastNumbers& numbers() const { return numbers_; }
 
+  // above() of it, in as few steps: a walk waits for each end.
   void end(double time) {
-    const double scaled = time * scale_;
-    numbers_.end = scaled > kFarthest ? kInfinity : above(scaled);
+    const double later = time * scale_above_ + FLT_MIN;
+    numbers_.end = later > kFarthest ? kInfinity : static_cast<float>(later);
   }
 
  private:
@@ -126,7 +128,8 @@ class PathNumbers {
     return from + way + std::copysign(slack, way);
   }
 
-  double scale_ = 1;     // times in lengths of the scaled direction are so many times as large
+  // Times in lengths of the scaled direction are so many times as large, or hardly less.
+  double scale_above_ = 1;
   CastNumbers numbers_;  // NOLINT(*-member-init): all that is read is set by the constructor
 };
 

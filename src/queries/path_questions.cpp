@@ -13,7 +13,8 @@ namespace {
 
 using Candidates = std::span<const Candidate>;
 
-/// A path's Cast, made when it meets a box: not all do.
+/// A path's Cast, made when it meets a box: of those that ask for any body, most meet none or one that they
+/// touch for certain.
 class CastWhenMet {
  public:
   explicit CastWhenMet(const Path& path) : path_(path) {}
@@ -28,9 +29,12 @@ class CastWhenMet {
   std::optional<Cast> cast_;
 };
 
-bool comes_before(const Touch& one, const Touch& other) {
-  return one.time != other.time ? one.time < other.time : one.body < other.body;
-}
+/// By time, and of the same by body.
+struct Sooner {
+  bool operator()(const Touch& one, const Touch& other) const {
+    return one.time != other.time ? one.time < other.time : one.body < other.body;
+  }
+};
 
 }  // namespace
 
@@ -47,7 +51,7 @@ void list_touches(const Asked& asked, const Path& path, std::vector<Touch>& foun
     return path.end;
   });
   // They come nearly in order.
-  std::sort(found.begin() + before, found.end(), comes_before);
+  std::sort(found.begin() + before, found.end(), Sooner());
   auto end = std::unique(found.begin() + before, found.end());
   if (asked.filter.predicate) {
     end = std::remove_if(found.begin() + before, end,
@@ -90,14 +94,14 @@ bool any_touch(const Asked& asked, const Path& path) {
 
 std::optional<Touch> first_touch(const Asked& asked, const Path& path) {
   std::optional<Touch> first;
-  CastWhenMet cast(path);
+  const Cast cast(path);
   double end = path.end;
   walk_path(asked.world, path, [&](Candidates candidates) {
     for (const auto& [slot, box] : candidates) {
-      const auto time = cast->touch(box, end);
+      const auto time = cast.touch(box, end);
       if (!time) continue;
       const Touch touch{asked.world.id(slot), *time};
-      if (first && !comes_before(touch, *first)) continue;
+      if (first && !Sooner()(touch, *first)) continue;
       if (!asked.world.is_answer(asked.filter, slot)) continue;
       first = touch;
       end = touch.time;
