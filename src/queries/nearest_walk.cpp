@@ -4,11 +4,11 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "queries/arithmetic.h"
 #include "queries/cell_rings.h"
+#include "queries/near_numbers.h"
 #include "queries/rows.h"
 #include "queries/tree/box_tree.h"
 #include "queries/tree/tree_price.h"
@@ -43,13 +43,6 @@ Aabb nearest_point(const Aabb& box, const Aabb& other) {
   return box_at(point);
 }
 
-/// A square of distance that is no less, in a float.
-float square_above(double distance) {
-  const double square = distance * distance;
-  return square > 1e37 ? std::numeric_limits<float>::infinity()
-                       : static_cast<float>(square * (1 + 0x1p-20)) + 1e-37F;
-}
-
 /// Makes the first `count` keys the least, in order. Of one alone without a branch for each of the others.
 void put_least_first(std::span<std::uint64_t> keys, std::size_t count) {
   if (count != 1) return std::partial_sort(keys.data(), keys.data() + count, keys.data() + keys.size());
@@ -65,12 +58,11 @@ void put_least_first(std::span<std::uint64_t> keys, std::size_t count) {
 class NearestWalk {
  public:
   NearestWalk(const World& world, const Aabb& box, const QueryFilter& filter, NearestList& nearest)
-      : world_(world), box_(box), filter_(filter), nearest_(nearest) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      numbers_.min[axis] = box.min[axis];
-      numbers_.max[axis] = box.max[axis];
-    }
-    numbers_.most = square_above(std::max(nearest.most(), 0.0));
+      : world_(world),
+        box_(box),
+        filter_(filter),
+        nearest_(nearest),
+        numbers_(near_numbers(box, std::max(nearest.most(), 0.0))) {
     numbers_.wants_one = nearest.room() == 1;
   }
 
@@ -214,8 +206,8 @@ class NearestWalk {
   const QueryFilter& filter_;
   NearestList& nearest_;
   std::uint64_t looks_ = 0;
-  NearNumbers numbers_;  // NOLINT(*-member-init): all set by the constructor
-  Keys keys_;            // NOLINT(*-member-init): as far as it is read
+  NearNumbers numbers_;
+  Keys keys_;  // NOLINT(*-member-init): as far as it is read
 };
 
 }  // namespace

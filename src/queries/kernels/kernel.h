@@ -63,6 +63,7 @@ struct NearNumbers {
   float min[3];
   float max[3];
   float most;
+  float certain;   ///< a number for a square that is no more than this belongs to a distance that is less
   bool wants_one;  ///< and no other body, however many are as near
 };
 
@@ -78,6 +79,12 @@ struct TakeNearBodies {
   void* self;
 };
 
+/// The same of bodies that may be near enough, and a bit for each that is so for certain.
+struct TakeBodiesWithin {
+  bool (*take)(void* self, const TreeNode& node, std::uint32_t bodies, std::uint32_t certain);
+  void* self;
+};
+
 /// Those for the tree of boxes, which are as quick with eight lanes as with more. Nodes that a path comes to
 /// first, or that are nearer, come before others.
 struct TreeKernels {
@@ -85,6 +92,9 @@ struct TreeKernels {
   void (*overlap)(const TreeNode* nodes, const Aabb& box, const TakeBodies& take);
   void (*cast)(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take);
   void (*near)(const TreeNode* nodes, const NearNumbers& question, const TakeNearBodies& take);
+
+  /// All that are near enough, in no order.
+  void (*within)(const TreeNode* nodes, const NearNumbers& question, const TakeBodiesWithin& take);
 
   /// For paths that can be certain, where every body is an answer. True: the path touches one for certain,
   /// and nobody need be asked. Else as `cast`.

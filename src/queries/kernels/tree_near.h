@@ -150,5 +150,22 @@ void walk_tree_for_near(const TreeNode* nodes, const NearNumbers& question, cons
   }
 }
 
+template <class Lanes>
+void walk_tree_within(const TreeNode* nodes, const NearNumbers& question, const TakeBodiesWithin& take) {
+  const NearLanes<Lanes> lanes(question);
+  const VectorOf<Lanes> certain = all<Lanes>(question.certain);
+  WaitingNodes<false> waiting(nodes);
+  Squares squares;
+  for (const TreeNode* node = nodes; node != nullptr;) {
+    const std::uint32_t bits = test_node<Lanes>(
+        *node, squares,
+        [&](const auto& faces, VectorOf<Lanes>& square) { return lanes.test(faces, square); });
+    const std::uint32_t bodies = bits & node->bodies;
+    if (bodies != 0 && !take.take(take.self, *node, bodies, bodies & no_more<Lanes>(squares, certain)))
+      return;
+    node = waiting.next(*node, without(bits, bodies), squares, question.most);
+  }
+}
+
 }  // namespace
 }  // namespace cellsweep::queries
