@@ -37,12 +37,15 @@ class Cast {
         : low(canonical(path.box.min[axis])),
           high(canonical(path.box.max[axis])),
           direction(path.direction[axis]) {
-      const double sides[2] = {high, low};
+      using Two [[gnu::vector_size(16)]] = double;
+      const Two up = {high, low};
+      const Two down = {low, high};
+      const Two sides = Two{direction, direction} < 0 ? down : up;
+      front = sides[0];
+      back = sides[1];
       const std::size_t goes_down = direction < 0 ? 1 : 0;
       near = axis + 3 * goes_down;
       far = axis + 3 * (1 - goes_down);
-      front = sides[goes_down];
-      back = sides[1 - goes_down];
       if (has_inverse(direction)) inverse = 1 / direction;
     }
 
