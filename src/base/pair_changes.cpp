@@ -26,8 +26,11 @@ class RunCopy {
     if (blocks == tuning::kCopies) copy_far(key);
     while (!from_.empty() && pair_key(from_[0]) < key) copy(1);
   }
-  void leave_out(std::uint64_t key) {
-    if (!from_.empty() && pair_key(from_[0]) == key) from_ = from_.subspan(1);
+  /// Whether it was there.
+  bool leave_out(std::uint64_t key) {
+    if (from_.empty() || pair_key(from_[0]) != key) return false;
+    from_ = from_.subspan(1);
+    return true;
   }
   void put(const AnyPair& pair) { *to_++ = pair; }
 
@@ -183,6 +186,23 @@ void apply_notes(std::span<const AnyPair> old, std::span<PairNote> notes, Array<
   now.shrink(static_cast<std::size_t>(copy.finish() - now.data()));
 }
 
+// As many times as a pair is named does it change: an odd number of times is once.
+template <class AnyPair>
+void apply_alternating(std::span<const AnyPair> old, std::span<const std::uint64_t> keys,
+                       Array<AnyPair>& now) {
+  now.renew(old.size() + keys.size());
+  RunCopy copy(old, now.data());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (i + 1 < keys.size() && keys[i + 1] == keys[i]) {
+      ++i;
+      continue;
+    }
+    copy.until(keys[i]);
+    if (!copy.leave_out(keys[i])) copy.put(pair_of<AnyPair>(keys[i]));
+  }
+  now.shrink(static_cast<std::size_t>(copy.finish() - now.data()));
+}
+
 template void find_changes(std::span<const Pair>, std::span<const Pair>, std::span<const std::uint32_t>,
                            Array<Pair>&, Array<Pair>&);
 template void find_changes(std::span<const SlotPair>, std::span<const SlotPair>,
@@ -193,7 +213,7 @@ template void apply_changes(std::span<const SlotPair>, std::span<const SlotPair>
                             Array<SlotPair>&);
 template void apply_changes(Crew&, std::span<const SlotPair>, std::span<const SlotPair>,
                             std::span<const SlotPair>, Array<SlotPair>&);
-template void apply_notes(std::span<const Pair>, std::span<PairNote>, Array<Pair>&);
+template void apply_alternating(std::span<const Pair>, std::span<const std::uint64_t>, Array<Pair>&);
 template void apply_notes(std::span<const SlotPair>, std::span<PairNote>, Array<SlotPair>&);
 
 }  // namespace cellsweep

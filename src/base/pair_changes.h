@@ -45,6 +45,12 @@ template <class AnyPair>
 void apply_changes(Crew& crew, std::span<const AnyPair> old, std::span<const AnyPair> began,
                    std::span<const AnyPair> ended, Array<AnyPair>& now);
 
+/// The same with changes that alternate for each pair, as it begins and ends: their keys, ascending, each as
+/// often as it changed.
+template <class AnyPair>
+void apply_alternating(std::span<const AnyPair> old, std::span<const std::uint64_t> keys,
+                       Array<AnyPair>& now);
+
 /// The same with changes in the order in which they came, the last word on a pair counting. Sorts them.
 /// Throws std::bad_alloc before anything is written.
 template <class AnyPair>

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/key_sort.h"
 #include "base/tuning.h"
 
 namespace cellsweep {
@@ -16,7 +17,7 @@ void PairSet::give_back_room() {
   for (Array<Pair>* list : {&began_, &ended_}) {
     if (list->size() == 0 && list->bytes() > enough) *list = Array<Pair>();
   }
-  if (notes_.empty() && notes_.bytes() > enough) notes_ = List<PairNote>();
+  if (notes_.empty() && notes_.bytes() > enough) notes_ = {};
   pairs_.fit();
 }
 
@@ -38,11 +39,23 @@ void PairSet::remember_changes() {
   ended_.shrink(0);
 }
 
-// A pair that is in both lists ended with one body and began with another of the same id.
+// A pair that is in both lists ended with one body and began with another of the same id: it is noted twice,
+// and there as before.
 void PairSet::note_changes() const {
   notes_.reserve(notes_.size() + began_.size() + ended_.size());
-  for (const Pair& pair : ended_.view()) notes_.push({pair_key(pair), false});
-  for (const Pair& pair : began_.view()) notes_.push({pair_key(pair), true});
+  for (const Pair& pair : ended_.view()) notes_.push(pair_key(pair));
+  for (const Pair& pair : began_.view()) notes_.push(pair_key(pair));
+}
+
+// What was noted once must not be noted again: after that nothing may throw.
+void PairSet::list_noted() const {
+  const std::size_t notes = notes_.size() + began_.size() + ended_.size();
+  Array<std::uint64_t> sorted;
+  sorted.renew(notes);
+  spare_.renew(pairs_.size() + notes);
+  note_changes();
+  apply_alternating<Pair>(pairs_.view(), sort_keys(notes_.view(), sorted.view()), spare_);
+  notes_.clear();
 }
 
 void PairSet::compare_with_whole_set(std::span<const BodyId> gone) {
@@ -72,9 +85,7 @@ void PairSet::list_all() const {
   if (notes_.empty()) {
     apply_changes<Pair>(pairs_.view(), began_.view(), ended_.view(), spare_);
   } else {
-    note_changes();
-    apply_notes<Pair>(pairs_.view(), notes_.view(), spare_);
-    notes_.clear();
+    list_noted();
   }
   std::swap(pairs_, spare_);
 }

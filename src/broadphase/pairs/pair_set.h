@@ -47,6 +47,7 @@ class PairSet {
  private:
   [[gnu::cold]] void give_back_room();
   void note_changes() const;
+  void list_noted() const;
   void list_all() const;
 
   Array<Pair> began_;  // of the last update
@@ -55,10 +56,10 @@ class PairSet {
   Array<Pair> next_ended_;
   Array<Pair> whole_;  // what compare_with_whole_set() was given
 
-  mutable Array<Pair> pairs_;     // but for notes_ and the last changes
-  mutable Array<Pair> spare_;     // room for the next
-  mutable List<PairNote> notes_;  // in the order in which they came
-  Deferred listing_;              // of what changed last
+  mutable Array<Pair> pairs_;          // but for notes_ and the last changes
+  mutable Array<Pair> spare_;          // room for the next
+  mutable List<std::uint64_t> notes_;  // keys of pairs that began or ended, as often as they did
+  Deferred listing_;                   // of what changed last
   bool only_began_ = true;  // all pairs: the list of those that began is that of all, and nothing is copied
 };
 
