@@ -97,9 +97,7 @@ class Avx512InCell {
  public:
   static constexpr std::uint32_t kBoxes = 8;
 
-  explicit Avx512InCell(const Aabb& box)
-      : bounds_(twice(_mm256_setr_ps(box.max[0], box.max[1], box.max[2], next_below(box.min[0]),
-                                     next_below(box.min[1]), next_below(box.min[2]), 0, 0))) {}
+  explicit Avx512InCell(const Aabb& box) : bounds_(bounds_of(reinterpret_cast<const float*>(&box))) {}
 
   std::uint64_t test(const stream::TaggedBox* boxes) const {
     const __mmask64 four = _mm512_kunpackd(two(boxes + 6, boxes + 4), two(boxes + 2, boxes));
@@ -107,6 +105,10 @@ class Avx512InCell {
   }
 
  private:
+  static __m512 bounds_of(const float* faces) {
+    return twice(_mm256_setr_ps(faces[3], faces[4], faces[5], next_below(faces[0]), next_below(faces[1]),
+                                next_below(faces[2]), 0, 0));
+  }
   static __m512 twice(__m256 numbers) {
     return __builtin_shufflevector(numbers, numbers, 0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7);
   }
