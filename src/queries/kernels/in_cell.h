@@ -2,6 +2,9 @@
 /// Which boxes of a cell one box overlaps.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "cellsweep/engine/cell_boxes.h"
 #include "queries/kernels/lanes.h"
 

@@ -2,6 +2,9 @@
 /// Walks through a tree of boxes for what is near: of each node the nearest first.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "queries/kernels/kernel.h"
 #include "queries/kernels/lanes.h"
 #include "queries/kernels/tree_walk.h"
@@ -70,7 +73,7 @@ class NodesAbove {
 template <unsigned kLanes>
 void put_in_order(const Squares& squares, std::uint32_t bits, std::uint64_t (&keys)[TreeNode::kBoxes]) {
   using Numbers [[gnu::vector_size(4 * kLanes)]] = std::int32_t;
-  constexpr unsigned kVectors = TreeNode::kBoxes / kLanes;
+  constexpr std::size_t kVectors = TreeNode::kBoxes / kLanes;
   constexpr std::int32_t kLane = TreeNode::kBoxes - 1;  // no two are the same
   std::int32_t numbers[TreeNode::kBoxes];
   for (unsigned lane = 0; lane < TreeNode::kBoxes; ++lane) {
@@ -81,14 +84,14 @@ void put_in_order(const Squares& squares, std::uint32_t bits, std::uint64_t (&ke
   Numbers places[kVectors] = {};
   for (const std::int32_t number : numbers) {
     const Numbers all_lanes = number - Numbers{};
-    for (unsigned vector = 0; vector < kVectors; ++vector) {
+    for (std::size_t vector = 0; vector < kVectors; ++vector) {
       Numbers those;
       __builtin_memcpy(&those, numbers + vector * kLanes, sizeof(those));
       places[vector] -= all_lanes < those;
     }
   }
   std::int32_t place[TreeNode::kBoxes];
-  for (unsigned vector = 0; vector < kVectors; ++vector)
+  for (std::size_t vector = 0; vector < kVectors; ++vector)
     __builtin_memcpy(place + vector * kLanes, &places[vector], sizeof(places[vector]));
   for (unsigned lane = 0; lane < TreeNode::kBoxes; ++lane) keys[place[lane]] = near_key(squares[lane], lane);
 }
