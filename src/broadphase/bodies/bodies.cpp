@@ -87,7 +87,9 @@ Status Bodies::add(Crew& crew, std::span<const Aabb> boxes, std::span<BodyId> id
   if (Status status = check_room(engine, capacity, ids.size()); !status.ok()) return status;
   slots_.resize(ids.size());
   table_.choose_ids(slots_);
+  const bool all_are_chosen = table_.ids_are_chosen();
   if (Status status = insert(crew, slots_, boxes, {}, engine, capacity); !status.ok()) return status;
+  table_.set_ids_are_chosen(all_are_chosen);
   std::copy(slots_.begin(), slots_.end(), ids.begin());
   return {};
 }

@@ -48,8 +48,12 @@ class IdTable {
   bool insert(std::span<const BodyId> ids, Vector<Slot>& slots);
 
   /// Ids that nobody has, for so many more bodies: those of the slots that insert() would give out next,
-  /// where nobody has them.
-  void choose_ids(std::span<BodyId> ids) const;
+  /// where nobody has them; else below slot_count() as it will be, while all ids have been chosen so.
+  [[gnu::cold]] void choose_ids(std::span<BodyId> ids) const;
+  /// Whether they have, and no body got another slot by itself since. Which insert() cannot know: it is not
+  /// so after it, until its caller says that it is.
+  bool ids_are_chosen() const { return ids_are_chosen_; }
+  void set_ids_are_chosen(bool chosen) { ids_are_chosen_ = chosen; }
 
   /// Makes room for removing so many: remove(), renew_slot() and release() take no memory then.
   void reserve_removals(std::size_t count);
@@ -109,10 +113,12 @@ class IdTable {
                                  : static_cast<Slot>(ids_.size() + before - free_.size());
   }
   void take_slot(BodyId id);
+  [[gnu::cold]] BodyId follow(Slot slot, std::span<const std::uint64_t> waiting) const;
 
   std::size_t size_ = 0;
   bool identical_ = true;
   bool ascending_ = true;
+  bool ids_are_chosen_ = true;
   std::uint64_t version_ = 0;
   Vector<BodyId> ids_;
   Vector<Slot> direct_;       // slots of ids below its size

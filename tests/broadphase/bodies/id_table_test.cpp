@@ -565,5 +565,63 @@ TEST(IdTable, ThatWaitsHasChangedInNothingWithoutMemory) {
             2U);
 }
 
+/// As who adds bodies without ids of his own does.
+Ids add(IdTable& table, std::size_t count) {
+  const Ids ids = choose(table, count);
+  const bool chosen = table.ids_are_chosen();
+  insert(table, ids);
+  table.set_ids_are_chosen(chosen);
+  return ids;
+}
+
+IdTable numbered_anew(const IdTable& table) {
+  Vector<Slot> before;
+  return table.renumbered(before);
+}
+
+TEST(IdTable, IdsThatItChoseStaySmallThroughNumberingAnew) {
+  contract::Random random(5);
+  IdTable table;
+  Ids held;
+  std::set<BodyId> taken;  // by those who are held or wait
+  std::size_t most = 0;
+  for (int round = 0; round < 400; ++round) {
+    const Ids added = add(table, random.below(round % 7 == 0 ? 2000 : 40));
+    most = std::max(most, taken.size() + added.size());
+    for (const BodyId id : added) {
+      ASSERT_LT(id, most);
+      ASSERT_TRUE(taken.insert(id).second) << id << " is taken";
+    }
+    held.insert(held.end(), added.begin(), added.end());
+    // All but a few at times, and those at one end or anywhere.
+    const std::size_t left = random.one_in(4) ? random.below(held.size() / 8 + 1) : held.size() / 4 * 3;
+    if (random.one_in(2)) std::ranges::sort(held);
+    if (random.one_in(2)) std::ranges::reverse(held);
+    remove(table, {held.begin() + static_cast<std::ptrdiff_t>(left), held.end()});
+    held.resize(left);
+    if (random.one_in(3)) continue;
+    table.release();
+    taken = {held.begin(), held.end()};
+    if (table.is_sparse()) table = numbered_anew(table);
+  }
+  EXPECT_TRUE(table.ids_are_chosen());
+}
+
+TEST(IdTable, KnowsThatSomebodyElseChoseAnId) {
+  IdTable table;
+  add(table, 3);
+  EXPECT_TRUE(table.ids_are_chosen());
+  insert(table, {7});
+  EXPECT_FALSE(table.ids_are_chosen());
+  EXPECT_FALSE(numbered_anew(table).ids_are_chosen());
+  remove(table, {0, 1, 2, 7});
+  table.release();
+  EXPECT_TRUE(table.ids_are_chosen()) << "nobody is left";
+  add(table, 2);
+  table.reserve_removals(1);
+  table.renew_slot(table.find(1));
+  EXPECT_FALSE(table.ids_are_chosen());
+}
+
 }  // namespace
 }  // namespace cellsweep
