@@ -35,8 +35,7 @@ Aabb some_box(Random& random, float scale) {
 }
 
 struct MeasuredWorld {
-  MeasuredWorld(VectorIsa isa, float scale, Random& random)
-      : broadphase(std::move(*make_broadphase(StreamOptions{.isa = isa}))) {
+  MeasuredWorld(Broadphase&& empty, float scale, Random& random) : broadphase(std::move(empty)) {
     for (BodyId id = 0; id < 600; ++id) {
       ids.push_back(id);
       boxes.push_back(canonical(some_box(random, scale)));
@@ -79,7 +78,9 @@ TEST_P(Within, BodiesAreFoundAtTheirOwnDistanceAndNotBelow) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Random random(3);
   for (const float scale : kScales) {
-    const MeasuredWorld world(GetParam(), scale, random);
+    Result<Broadphase> empty = make_broadphase(StreamOptions{.isa = GetParam()});
+    if (!empty) GTEST_SKIP() << empty.status().message;
+    const MeasuredWorld world(std::move(*empty), scale, random);
     for (int question = 0; question < 60; ++question) {
       if (question == 30) world.broadphase.queries().prepare();
       const Aabb from = canonical(some_box(random, scale));
