@@ -14,6 +14,7 @@
 #include "cellsweep/options.h"
 #include "contract/random.h"
 #include "queries/arithmetic.h"
+#include "queries/short_sort.h"
 
 namespace cellsweep::queries {
 namespace {
@@ -52,9 +53,7 @@ struct MeasuredWorld {
     }
     std::vector<BodyId> bodies;
     for (const Neighbor& neighbor : expected) bodies.push_back(neighbor.body);
-    std::ranges::sort(expected, [](const Neighbor& one, const Neighbor& other) {
-      return std::pair(one.distance, one.body) < std::pair(other.distance, other.body);
-    });
+    std::ranges::sort(expected, Nearer());
     const Region region(from, distance);
     std::vector<BodyId> found;
     ASSERT_TRUE(broadphase.queries().find_overlaps(region, found).ok());

@@ -105,8 +105,8 @@ struct TreeKernels {
 };
 
 /// The kernels of one instruction set. Each of the first four writes the places in the row of all boxes that
-/// may be answers and some more, which rounding made look like some, and returns how many these are. A box of
-/// NaN is none. There is room for a whole vector behind kRowBoxes places.
+/// may be answers and some more, which rounding made look like some, or their slots, and returns how many
+/// these are. A box of NaN is none. There is room for a whole vector behind kRowBoxes places.
 struct QueryKernels {
   VectorIsa isa;
 
