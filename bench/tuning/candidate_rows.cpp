@@ -33,12 +33,14 @@ class Movers {
   double picked_seconds() {
     return quickest_seconds([&] {
       mark(1);
-      marks_.refresh(cells_.crew, candidates(), {}, {now_.data(), fresh_.data()});
+      marks_.refresh(cells_.crew, candidates(), {}, {now_.data(), fresh_.data()}, room_);
       mark(0);
     });
   }
   double all_seconds() {
-    return quickest_seconds([&] { marks_.refresh(cells_.crew, candidates(), {}, {now_.data(), nullptr}); });
+    return quickest_seconds([&] {
+      marks_.refresh(cells_.crew, candidates(), {}, {now_.data(), nullptr}, room_);
+    });
   }
   /// To ask the cells of fat boxes that do not change.
   double query_seconds() {
@@ -80,7 +82,7 @@ class Movers {
     return quickest;
   }
 
-  std::span<const SlotPair> candidates() { return candidates_.pairs(cells_.crew); }
+  std::span<const SlotPair> candidates() { return candidates_.pairs(cells_.crew, room_); }
   void mark(std::uint8_t mark) {
     for (const Slot slot : moved_) fresh_[slot] = mark;
   }
@@ -93,6 +95,7 @@ class Movers {
   Cells cells_;
   stream::CandidateList candidates_;
   stream::OverlapMarks marks_;
+  stream::PairRoom room_;
 };
 
 /// In candidates, of which those with a new box are picked. About as many bodies move as there may.

@@ -83,7 +83,8 @@ double candidate_cost() {
   cells.build_seconds(source->boxes());
   stream::CandidateList candidates;
   candidates.replace(cells.tree.found());
-  const std::span<const SlotPair> pairs = candidates.pairs(cells.crew);
+  stream::PairRoom room;
+  const std::span<const SlotPair> pairs = candidates.pairs(cells.crew, room);
   stream::OverlapMarks marks;
   const auto* boxes = source->boxes().data();
   return seconds_of([&] { marks.test_all(cells.crew, pairs, boxes); }) / static_cast<double>(pairs.size());

@@ -79,7 +79,10 @@ void Rebuild::prepare_until(double due, const BodyChanges& changes) {
   const auto fat = fat_boxes_.prepared();
   const Boxes boxes(fat.data(), fat.size());
   if (stage_ == kFatBoxes && shares_.is_due(kListed, due)) {
-    do_part(kListed, [&] { search_.begin_prepared(boxes); });
+    do_part(kListed, [&] {
+      overlaps_.put_in_order();  // what was found goes
+      search_.begin_prepared(boxes);
+    });
     stage_ = kListed;
   }
   if (stage_ == kListed && shares_.is_due(kFilled, due)) {

@@ -48,7 +48,7 @@ class Rebuild {
   std::uint32_t updates_for_next(const BodyChanges& changes) const;
   template <class Work>
   void do_part(RebuildStage stage, const Work& work);
-  void prepare_until(double due, const BodyChanges& changes);
+  [[gnu::cold]] void prepare_until(double due, const BodyChanges& changes);
   bool prepare_fat_boxes(double due, const BodyChanges& changes);
   bool prepare_cells(double due);
   bool prepare_order(double due);

@@ -65,9 +65,9 @@ bool Search::change(std::span<const FatBoxChange> changes) {
 
 void Search::begin_prepared(const Boxes& boxes) {
   if (!prepared_) prepared_ = std::make_unique<CellTree>(crew_, kernels_);
+  prepared_->take_working_memory(*cells_);
   prepared_->allow(cells_->filters());
   prepared_->limit_pairs(generous_limit());
-  prepared_->take_working_memory(*cells_);
   prepared_->begin_build(boxes);
 }
 

@@ -53,7 +53,7 @@ class Search {
 
   /// Cells for later: after begin_prepared(), prepared() goes on as CellTree::begin_build() says, and
   /// use_prepared() puts them in the place of those that there are. Throws TooManyPairs.
-  void begin_prepared(const Boxes& boxes);
+  [[gnu::cold]] void begin_prepared(const Boxes& boxes);
   CellTree& prepared() { return *prepared_; }
   void use_prepared();
   /// Forgets them, and their memory.

@@ -139,7 +139,7 @@ TEST_P(EngineMemory, GoesBackWhenAWorldHasComeToRest) {
   const std::uint64_t moving = statistics_.bytes;
   EXPECT_EQ(rest(kQuiet - 1), moving);
   const std::uint64_t resting = rest(1);
-  EXPECT_LE(resting + 150 * kBodies, moving);
+  EXPECT_LE(2 * resting, moving);
   // What follows is exact.
   const std::vector<Aabb> other = uniform_boxes(kBodies, 2);
   for (const std::size_t movers : {std::size_t{1}, kBodies / 50, kBodies}) {

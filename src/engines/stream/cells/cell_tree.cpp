@@ -74,8 +74,14 @@ void CellTree::begin_build(const Boxes& boxes) {
 }
 
 void CellTree::take_working_memory(CellTree& other) {
-  for (std::size_t worker = 0; worker < scratches_.size(); ++worker)
-    std::swap(scratches_[worker]->job, other.scratches_[worker]->job);
+  for (std::size_t worker = 0; worker < scratches_.size(); ++worker) {
+    Scratch& mine = *scratches_[worker];
+    Scratch& theirs = *other.scratches_[worker];
+    std::swap(mine.job, theirs.job);
+    mine.found = std::move(theirs.found);
+    theirs.found.give_back();
+  }
+  std::fill(other.found_.begin(), other.found_.end(), std::span<const std::uint64_t>());
 }
 
 void CellTree::fill_cells(const Boxes& boxes) {

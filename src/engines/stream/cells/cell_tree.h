@@ -113,8 +113,9 @@ class CellTree {
   /// often as is_built() says no, makes as many cells as have so many boxes or a little more, and returns how
   /// many they have. In the meantime nothing else is to be called but allow().
   void begin_build(const Boxes& boxes);
-  /// Before that: the memory that another tree was built with, which only has changes from now on.
-  void take_working_memory(CellTree& other);
+  /// Before that: the memory that another tree was built with, and found() is in, which only has changes from
+  /// now on.
+  [[gnu::cold]] void take_working_memory(CellTree& other);
   void fill_cells(const Boxes& boxes);
   std::uint64_t go_on(std::uint64_t boxes);
   bool is_built() const { return cells_built_ == root_.grid.cells(); }

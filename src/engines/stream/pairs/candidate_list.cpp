@@ -54,33 +54,33 @@ SlotPair* list_changed(std::span<const SlotPair> pairs, const std::uint8_t* chan
 
 }  // namespace
 
-std::span<const SlotPair> CandidateList::pairs(Crew& crew) {
-  sort_until(crew, 1);
-  if (!found_.empty()) {
-    sort_pairs(crew, found_, keys_, pairs_);
-    found_.clear();
-  }
+std::span<const SlotPair> CandidateList::pairs(Crew& crew, PairRoom& room) {
+  sort_found(crew);
   if (!notes_.empty()) {
-    apply_notes<SlotPair>(pairs_.view(), notes_.view(), spare_);
-    std::swap(pairs_, spare_);
+    apply_notes<SlotPair>(pairs_.view(), notes_.view(), room.one);
+    std::swap(pairs_, room.one);
     notes_.clear();
   }
   return std::as_const(pairs_).view();
 }
 
-std::span<const SlotPair> CandidateList::take(Crew& crew) {
-  pairs(crew);
-  std::swap(pairs_, spare_);
-  pairs_.shrink(0);
-  size_ = 0;
-  return std::as_const(spare_).view();
+void CandidateList::sort_found(Crew& crew) {
+  sort_until(crew, 1);
+  if (found_.empty()) return;
+  sort_pairs(crew, found_, keys_, pairs_);
+  found_.clear();
 }
 
-void CandidateList::begin_sort(Crew& crew) {
-  if (!are_sorted_in_parts(size_)) {
-    pairs(crew);
-    return;
-  }
+void CandidateList::take(Crew& crew, PairRoom& room, Array<SlotPair>& taken) {
+  pairs(crew, room);
+  std::swap(pairs_, taken);
+  pairs_.shrink(0);
+  size_ = 0;
+}
+
+void CandidateList::begin_sort(Crew& crew, Array<SlotPair>& spare) {
+  std::swap(pairs_, spare);
+  if (!are_sorted_in_parts(size_)) return sort_found(crew);
   pairs_.renew(size_);
   buckets_ = distribute_pairs(crew, found_, keys_);
   buckets_sorted_ = 0;
@@ -106,8 +106,8 @@ void CandidateList::replace(KeyParts found) {
   size_ = count_keys(found);
 }
 
-void CandidateList::begin_notes(Crew& crew) {
-  if (notes_.size() > size_ / 4 + tuning::kFewNotes) pairs(crew);
+void CandidateList::begin_notes(Crew& crew, PairRoom& room) {
+  if (notes_.size() > size_ / 4 + tuning::kFewNotes) pairs(crew, room);
   notes_before_ = notes_.size();
   size_before_ = size_;
 }
@@ -126,15 +126,18 @@ void CandidateList::forget_notes() {
   size_ = size_before_;
 }
 
-SlotPairChanges CandidateList::change(Crew& crew, KeyParts touched, const std::uint8_t* changed) {
-  pairs(crew);
+SlotPairChanges CandidateList::change(Crew& crew, PairRoom& room, KeyParts touched,
+                                      const std::uint8_t* changed) {
+  pairs(crew, room);
   sort_pairs(crew, touched, keys_, began_);
-  list_pairs_of(crew, changed, ended_);
-  cancel_equal(began_, ended_);
+  list_pairs_of(crew, changed, room.one);
+  cancel_equal(began_, room.one);
+  ended_.renew(room.one.size());
+  std::copy_n(room.one.data(), room.one.size(), ended_.data());
   size_ = size_ + began_.size() - ended_.size();
   if (began_.size() + ended_.size() > 0) {
-    apply_changes<SlotPair>(crew, pairs_.view(), began_.view(), ended_.view(), spare_);
-    std::swap(pairs_, spare_);
+    apply_changes<SlotPair>(crew, pairs_.view(), began_.view(), ended_.view(), room.one);
+    std::swap(pairs_, room.one);
   }
   return {std::as_const(began_).view(), std::as_const(ended_).view()};
 }
@@ -157,16 +160,16 @@ void CandidateList::list_pairs_of(Crew& crew, const std::uint8_t* changed, Array
   listed.shrink(size);
 }
 
-void CandidateList::give_back(Crew& crew) {
-  pairs(crew);
-  for (Array<SlotPair>* list : {&spare_, &began_, &ended_}) *list = {};
+void CandidateList::give_back(Crew& crew, PairRoom& room) {
+  pairs(crew, room);
+  for (Array<SlotPair>* list : {&began_, &ended_}) *list = {};
   keys_ = {};
   notes_ = {};
   pairs_.fit();
 }
 
 std::size_t CandidateList::bytes() const {
-  return pairs_.bytes() + spare_.bytes() + began_.bytes() + ended_.bytes() + keys_.bytes() + notes_.bytes() +
+  return pairs_.bytes() + began_.bytes() + ended_.bytes() + keys_.bytes() + notes_.bytes() +
          buckets_.capacity() * sizeof(std::size_t);
 }
 

@@ -11,6 +11,7 @@
 #include "base/pair_changes.h"
 #include "base/pair_sort.h"
 #include "cellsweep/engine/slots.h"
+#include "engines/stream/pairs/pair_room.h"
 
 namespace cellsweep::stream {
 
@@ -21,11 +22,12 @@ struct SlotPairChanges {
 };
 
 /// A set of pairs, kept in ascending order, so that it does not matter in which order they are found. The
-/// keys that it is given must stay where they are until pairs() or take() was called.
+/// keys that it is given must stay where they are until pairs() or take() was called. `room` is working
+/// memory.
 class CandidateList {
  public:
-  /// No pairs; returns those that there were, valid until the next change.
-  std::span<const SlotPair> take(Crew& crew);
+  /// No pairs: those that there were are in `taken`, whose memory the next ones get.
+  void take(Crew& crew, PairRoom& room, Array<SlotPair>& taken);
 
   /// The pairs are now those of `found`, in any order, each once. They are sorted when pairs() is asked for.
   void replace(KeyParts found);
@@ -35,34 +37,36 @@ class CandidateList {
 
   /// After replace(): sorts them a part at a time. begin_sort() takes a third of all that it takes, or does
   /// all of it where they are few; then sort_until() goes on until a share, 0 to 1, of the rest is done. True
-  /// when all is. The keys may go after begin_sort().
-  void begin_sort(Crew& crew);
+  /// when all is. The keys may go after begin_sort(). They will be in the memory of `spare`, which gets
+  /// theirs.
+  [[gnu::cold]] void begin_sort(Crew& crew, Array<SlotPair>& spare);
   bool sort_until(Crew& crew, double share);
 
   /// Some bodies changed, those whose entry in `changed`, by slot, is not 0: their pairs are now those of
   /// `touched`, in any order, each once. Returns what began and ended by that.
-  SlotPairChanges change(Crew& crew, KeyParts touched, const std::uint8_t* changed);
+  SlotPairChanges change(Crew& crew, PairRoom& room, KeyParts touched, const std::uint8_t* changed);
 
   /// Some pairs are there from now on, or are not, but nobody asks what became of them: the list is brought
   /// up to date when that is asked for, or by begin_notes() when so much waits that the next calls are
   /// cheaper with it. False, and nothing is noted, when more would have changed since begin_notes() than half
   /// of the list and some: forget_notes() makes it what it was then.
-  void begin_notes(Crew& crew);
+  void begin_notes(Crew& crew, PairRoom& room);
   bool note(std::span<const std::uint64_t> keys, bool are_there);
   [[gnu::cold]] void forget_notes();
 
   /// Ascending.
-  std::span<const SlotPair> pairs(Crew& crew);
+  std::span<const SlotPair> pairs(Crew& crew, PairRoom& room);
 
   std::size_t size() const { return size_; }
 
   /// Gives memory back that the next call may ask for again.
-  [[gnu::cold]] void give_back(Crew& crew);
+  [[gnu::cold]] void give_back(Crew& crew, PairRoom& room);
 
   /// Bytes held.
   std::size_t bytes() const;
 
  private:
+  void sort_found(Crew& crew);
   void list_pairs_of(Crew& crew, const std::uint8_t* changed, Array<SlotPair>& listed) const;
 
   std::vector<std::span<const std::uint64_t>> found_;  // the pairs, when they have not been sorted yet
@@ -70,7 +74,6 @@ class CandidateList {
   std::size_t buckets_sorted_ = 0;    // and so many of them are
   List<PairNote> notes_;              // what pairs_ does not know yet, in the order in which it came
   Array<SlotPair> pairs_;
-  Array<SlotPair> spare_;  // room for the next
   Array<SlotPair> began_;
   Array<SlotPair> ended_;
   Array<std::uint64_t> keys_;

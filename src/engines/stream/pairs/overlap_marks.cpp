@@ -61,12 +61,6 @@ class Outputs {
 
 }  // namespace
 
-void OverlapMarks::make_room(std::size_t candidates, std::size_t ended) {
-  spare_.renew(candidates);
-  began_.renew(candidates);
-  ended_.renew(candidates + ended);
-}
-
 void OverlapMarks::mark_all(std::size_t candidates) {
   marks_.renew(candidates);
   std::fill_n(marks_.data(), candidates, std::uint8_t{1});
@@ -99,28 +93,33 @@ void OverlapMarks::test_all(Crew& crew, std::span<const SlotPair> candidates, co
 }
 
 SlotPairChanges OverlapMarks::refresh(Crew& crew, std::span<const SlotPair> candidates,
-                                      const SlotPairChanges& changes, const TestedBoxes& tested) {
-  make_room(candidates.size(), changes.ended.size());
+                                      const SlotPairChanges& changes, const TestedBoxes& tested,
+                                      PairRoom& room) {
+  spare_.renew(candidates.size());
+  auto& [began, ended] = room;
+  began.renew(candidates.size());
+  ended.renew(candidates.size() + changes.ended.size());
   const bool same = changes.began.empty() && changes.ended.empty();
   const unsigned workers = workers_for(crew, candidates);
-  Outputs outputs({same ? marks_.data() : spare_.data(), began_.data(), ended_.data()}, candidates,
+  Outputs outputs({same ? marks_.data() : spare_.data(), began.data(), ended.data()}, candidates,
                   changes.ended, workers);
   const CandidateTest test{candidates, changes, marks_.data(), tested};
   crew.run([&](unsigned worker) {
     if (worker < workers) test_share(test, Share::of(candidates.size(), worker, workers), outputs.of(worker));
   });
-  began_.shrink(outputs.gather(&TestOutput::began));
-  ended_.shrink(outputs.gather(&TestOutput::ended));
+  began.shrink(outputs.gather(&TestOutput::began));
+  ended.shrink(outputs.gather(&TestOutput::ended));
   if (!same) std::swap(marks_, spare_);
-  return {std::as_const(began_).view(), std::as_const(ended_).view()};
+  return {std::as_const(began).view(), std::as_const(ended).view()};
 }
 
 // Where the lists and the marks differ nobody can foretell: there is no branch on them.
-SlotPairChanges OverlapMarks::compare(std::span<const SlotPair> before, std::span<const SlotPair> now) {
-  began_.renew(now.size());
-  ended_.renew(before.size());
-  SlotPair* began = began_.data();
-  SlotPair* ended = ended_.data();
+SlotPairChanges OverlapMarks::compare(std::span<const SlotPair> before, std::span<const SlotPair> now,
+                                      PairRoom& room) const {
+  room.one.renew(now.size());
+  room.other.renew(before.size());
+  SlotPair* began = room.one.data();
+  SlotPair* ended = room.other.data();
   const std::uint8_t* const was = spare_.data();
   const std::uint8_t* const is = marks_.data();
   std::size_t i = 0, j = 0;
@@ -138,14 +137,9 @@ SlotPairChanges OverlapMarks::compare(std::span<const SlotPair> before, std::spa
   }
   ended = copy_marked(before.subspan(i), was + i, ended);
   began = copy_marked(now.subspan(j), is + j, began);
-  began_.shrink(static_cast<std::size_t>(began - began_.data()));
-  ended_.shrink(static_cast<std::size_t>(ended - ended_.data()));
-  return {std::as_const(began_).view(), std::as_const(ended_).view()};
-}
-
-SlotPairChanges OverlapMarks::compare_pairs(std::span<const SlotPair> before, std::span<const SlotPair> now) {
-  find_changes<SlotPair>(before, now, {}, began_, ended_);
-  return {std::as_const(began_).view(), std::as_const(ended_).view()};
+  room.one.shrink(static_cast<std::size_t>(began - room.one.data()));
+  room.other.shrink(static_cast<std::size_t>(ended - room.other.data()));
+  return {std::as_const(room.one).view(), std::as_const(room.other).view()};
 }
 
 void OverlapMarks::list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const {
@@ -156,13 +150,11 @@ void OverlapMarks::list_marked(std::span<const SlotPair> candidates, Array<SlotP
 
 void OverlapMarks::give_back() {
   spare_ = {};
-  began_ = {};
-  ended_ = {};
   marks_.fit();
 }
 
 std::size_t OverlapMarks::bytes() const {
-  return marks_.bytes() + spare_.bytes() + began_.bytes() + ended_.bytes();
+  return marks_.bytes() + spare_.bytes();
 }
 
 }  // namespace cellsweep::stream

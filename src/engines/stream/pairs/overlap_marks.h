@@ -11,6 +11,7 @@
 #include "cellsweep/engine/slots.h"
 #include "engines/stream/pairs/candidate_list.h"
 #include "engines/stream/pairs/candidate_tests.h"
+#include "engines/stream/pairs/pair_room.h"
 
 namespace cellsweep::stream {
 
@@ -21,7 +22,8 @@ struct BoxesBefore {
   const std::uint8_t* fresh = nullptr;  ///< not 0 of those
 };
 
-/// A mark for each candidate, whether it overlapped at the last test.
+/// A mark for each candidate, whether it overlapped at the last test. What began and ended is written to a
+/// room, and is there until somebody else writes to it.
 class OverlapMarks {
  public:
   /// All candidates, so many, overlap.
@@ -33,16 +35,14 @@ class OverlapMarks {
 
   /// Tests candidates that differ from those before by `changes`, and says which began and ended to overlap.
   SlotPairChanges refresh(Crew& crew, std::span<const SlotPair> candidates, const SlotPairChanges& changes,
-                          const TestedBoxes& tested);
+                          const TestedBoxes& tested, PairRoom& room);
 
   /// Keeps the marks for compare(): those that follow, by mark_all() or test_all(), are of other candidates.
   void keep() { std::swap(marks_, spare_); }
 
   /// What differs between the marked ones of the candidates before, whose marks were kept, and of those now.
-  SlotPairChanges compare(std::span<const SlotPair> before, std::span<const SlotPair> now);
-
-  /// The same where all candidates overlap, before and now. Nothing is marked.
-  SlotPairChanges compare_pairs(std::span<const SlotPair> before, std::span<const SlotPair> now);
+  SlotPairChanges compare(std::span<const SlotPair> before, std::span<const SlotPair> now,
+                          PairRoom& room) const;
 
   /// Writes the marked ones of the candidates to a list.
   [[gnu::cold]] void list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const;
@@ -56,12 +56,9 @@ class OverlapMarks {
  private:
   template <class Mark>
   void mark(Crew& crew, std::span<const SlotPair> candidates, Mark&& mark);
-  void make_room(std::size_t candidates, std::size_t ended);
 
   Array<std::uint8_t> marks_;
   Array<std::uint8_t> spare_;  // room for the next
-  Array<SlotPair> began_;
-  Array<SlotPair> ended_;
 };
 
 }  // namespace cellsweep::stream

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/pair_changes.h"
 #include "base/tuning.h"
 
 namespace cellsweep::stream {
@@ -13,7 +14,8 @@ void Overlaps::set_aside(const BodyChanges& changes) {
     marks_.keep();
   }
   marks_say_ = Marks::true_of_it;
-  before_ = list_.take(crew_);
+  list_.take(crew_, room_, before_list_);
+  before_ = std::as_const(before_list_).view();
 }
 
 void Overlaps::replace(KeyParts found, bool are_pairs) {
@@ -28,11 +30,14 @@ bool Overlaps::are_in_order(const BodyChanges& changes) const {
 FoundPairs Overlaps::compare(const BodyChanges& changes) {
   marks_say_ = are_pairs_ ? Marks::all_overlap : Marks::true_of_it;
   if (!are_in_order(changes)) return {.more_began = list_.found()};
-  const std::span<const SlotPair> now = list_.pairs(crew_);
+  const std::span<const SlotPair> now = list_.pairs(crew_, room_);
   const std::span<const SlotPair> before = std::exchange(before_, {});
   if (are_pairs_ && before.empty()) return {.began = now};
-  const SlotPairChanges found =
-      are_pairs_ && were_pairs_ ? marks_.compare_pairs(before, now) : compare_marked(changes, before, now);
+  if (are_pairs_ && were_pairs_) {
+    find_changes<SlotPair>(before, now, {}, room_.one, room_.other);
+    return {.began = std::as_const(room_.one).view(), .ended = std::as_const(room_.other).view()};
+  }
+  const SlotPairChanges found = compare_marked(changes, before, now);
   return {.began = found.began, .ended = found.ended};
 }
 
@@ -49,13 +54,13 @@ SlotPairChanges Overlaps::compare_marked(const BodyChanges& changes, std::span<c
     marks_.test_all(crew_, now, changes.boxes.data());
     tests_ += now.size();
   }
-  return marks_.compare(before, now);
+  return marks_.compare(before, now, room_);
 }
 
 // Where marks were not kept up to date, they are what the boxes of the last update say.
 void Overlaps::repair_marks(const BodyChanges& changes) {
   if (marks_say_ == Marks::true_of_it) return;
-  const std::span<const SlotPair> candidates = list_.pairs(crew_);
+  const std::span<const SlotPair> candidates = list_.pairs(crew_, room_);
   if (marks_say_ == Marks::all_overlap) {
     marks_.mark_all(candidates.size());
   } else {
@@ -74,7 +79,7 @@ SlotPairChanges Overlaps::change_candidates(const BodyChanges& changes,
   if (!are_pairs_) repair_marks(changes);
   grow_fresh(changes);
   mark_fresh(fat_changes, 1);
-  const SlotPairChanges found = list_.change(crew_, cells.touched(), fresh_.data());
+  const SlotPairChanges found = list_.change(crew_, room_, cells.touched(), fresh_.data());
   mark_fresh(fat_changes, 0);
   return found;
 }
@@ -82,13 +87,13 @@ SlotPairChanges Overlaps::change_candidates(const BodyChanges& changes,
 FoundPairs Overlaps::test(const BodyChanges& changes, const SlotPairChanges& of_candidates) {
   if (are_pairs_) return {.began = of_candidates.began, .ended = of_candidates.ended};
   repair_marks(changes);
-  const std::span<const SlotPair> candidates = list_.pairs(crew_);
+  const std::span<const SlotPair> candidates = list_.pairs(crew_, room_);
   crew_.plan(candidates.size(), tuning::kTestGuess);
   tests_ += candidates.size();
   const bool few = changes.moved.size() + changes.inserted.size() < changes.bodies / tuning::kFewFresh;
   if (few) mark_fresh(changes, 1);
-  const SlotPairChanges found =
-      marks_.refresh(crew_, candidates, of_candidates, {changes.boxes.data(), few ? fresh_.data() : nullptr});
+  const SlotPairChanges found = marks_.refresh(crew_, candidates, of_candidates,
+                                               {changes.boxes.data(), few ? fresh_.data() : nullptr}, room_);
   if (few) mark_fresh(changes, 0);
   return {.began = found.began, .ended = found.ended};
 }
@@ -100,7 +105,7 @@ bool Overlaps::are_few(const BodyChanges& changes) const {
 
 void Overlaps::change_cells_of_few(CellTree& cells, const BodyChanges& changes,
                                    std::span<const FatBoxChange> fat_changes) {
-  list_.begin_notes(crew_);
+  list_.begin_notes(crew_, room_);
   cells.begin_changes();
   mark_fresh(changes, 1);
   few_.ask_before(cells, changes, fresh_.data());
@@ -130,7 +135,7 @@ FoundPairs Overlaps::find_of_few(CellTree& cells, const BodyChanges& changes) {
 
 FoundPairs Overlaps::end_all(const BodyChanges& changes) {
   repair_marks(changes);
-  marks_.list_marked(list_.pairs(crew_), ended_);
+  marks_.list_marked(list_.pairs(crew_, room_), ended_);
   clear();
   return {.ended = std::as_const(ended_).view()};
 }
@@ -140,15 +145,19 @@ void Overlaps::clear() {
   marks_ = {};
   few_ = {};
   fresh_ = Vector<std::uint8_t>();
+  room_ = {};
+  before_list_ = {};
   before_ = {};
   are_pairs_ = true;
   marks_say_ = Marks::all_overlap;
 }
 
 void Overlaps::give_back() {
-  list_.give_back(crew_);
+  list_.give_back(crew_, room_);
   marks_.give_back();
   few_ = {};
+  room_ = {};
+  before_list_ = {};
   ended_ = {};
 }
 
@@ -169,8 +178,8 @@ void Overlaps::grow_fresh(const BodyChanges& changes) {
 }
 
 std::size_t Overlaps::bytes() const {
-  return list_.bytes() + prepared_.bytes() + marks_.bytes() + few_.bytes() + ended_.bytes() +
-         fresh_.capacity();
+  return list_.bytes() + prepared_.bytes() + marks_.bytes() + few_.bytes() + room_.bytes() +
+         before_list_.bytes() + ended_.bytes() + fresh_.capacity();
 }
 
 }  // namespace cellsweep::stream

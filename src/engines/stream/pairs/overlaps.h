@@ -15,6 +15,7 @@
 #include "engines/stream/cells/cell_tree.h"
 #include "engines/stream/pairs/candidate_list.h"
 #include "engines/stream/pairs/overlap_marks.h"
+#include "engines/stream/pairs/pair_room.h"
 #include "engines/stream/pairs/pairs_of_few.h"
 
 namespace cellsweep::stream {
@@ -29,7 +30,7 @@ class Overlaps {
 
   /// All will be found anew: what there is is kept for compare(). To be called before the search, whose
   /// memory may have it.
-  void set_aside(const BodyChanges& changes);
+  [[gnu::noinline]] void set_aside(const BodyChanges& changes);
   /// The candidates are now those of `found`. `are_pairs` when fat boxes are the boxes themselves.
   void replace(KeyParts found, bool are_pairs);
   /// After replace(): what differs from the pairs before.
@@ -37,14 +38,14 @@ class Overlaps {
   /// Whether that is a list in the order of slots; the first pairs of all are not put in it, when they will
   /// have to be sorted by ids.
   bool are_in_order(const BodyChanges& changes) const;
-  void put_in_order() { list_.pairs(crew_); }
+  void put_in_order() { list_.pairs(crew_, room_); }
 
   /// Candidates for later, those of `found`, in buckets; sort_prepared() sorts them until a share, 0 to 1, is
   /// in order, and returns whether all is. Between set_aside() and compare(), use_prepared() puts them in the
   /// place of those that there are.
   void prepare(KeyParts found) {
     prepared_.replace(found);
-    prepared_.begin_sort(crew_);
+    prepared_.begin_sort(crew_, before_list_);
   }
   bool sort_prepared(double share) { return prepared_.sort_until(crew_, share); }
   void use_prepared() { std::swap(list_, prepared_); }
@@ -99,10 +100,12 @@ class Overlaps {
   PairsOfFew few_;
   bool are_pairs_ = true;  // all candidates
   Marks marks_say_ = Marks::all_overlap;
-  std::span<const SlotPair> before_;  // the candidates that were replaced,
+  PairRoom room_;                     // what an update found is here at its end
+  Array<SlotPair> before_list_;       // the candidates that were replaced,
+  std::span<const SlotPair> before_;  // until they were compared with those now,
   bool were_pairs_ = false;           // all of which overlapped
-  Array<SlotPair> ended_;
-  Vector<std::uint8_t> fresh_;  // by slot, 0 between updates
+  Array<SlotPair> ended_;             // when nobody was left
+  Vector<std::uint8_t> fresh_;        // by slot, 0 between updates
   std::uint64_t tests_ = 0;
 };
 

@@ -56,11 +56,13 @@ class CandidateListTest : public testing::TestWithParam<unsigned> {
   std::vector<std::uint8_t> changed_;
   Crew crew_{std::make_shared<ThreadPool>(GetParam()), GetParam(), Crew::Choice::given};
   CandidateList list_;
+  PairRoom room_;
+  Array<SlotPair> spare_;
 };
 
 TEST_P(CandidateListTest, IsEmptyAtFirst) {
   EXPECT_EQ(list_.size(), 0U);
-  EXPECT_THAT(list_.pairs(crew_), IsEmpty());
+  EXPECT_THAT(list_.pairs(crew_, room_), IsEmpty());
 }
 
 TEST_P(CandidateListTest, IsAscendingInWhicheverOrderPairsWereFound) {
@@ -71,7 +73,7 @@ TEST_P(CandidateListTest, IsAscendingInWhicheverOrderPairsWereFound) {
   found.add(2, {1, 2});
   list_.replace(found.view());
   EXPECT_EQ(list_.size(), 4U) << "before they are sorted";
-  EXPECT_THAT(list_.pairs(crew_),
+  EXPECT_THAT(list_.pairs(crew_, room_),
               ElementsAre(SlotPair{0, 2}, SlotPair{1, 2}, SlotPair{1, 9}, SlotPair{3, 4}));
   EXPECT_EQ(list_.size(), 4U);
 }
@@ -91,13 +93,13 @@ TEST_P(CandidateListTest, IsSortedAPartAtATime) {
     Parts found = many_pairs(count);
     for (const int parts : {1, 3, 7}) {
       list_.replace(found.view());
-      list_.begin_sort(crew_);
+      list_.begin_sort(crew_, spare_);
       EXPECT_EQ(list_.sort_until(crew_, 0), count == kFew);
       for (int part = 1; part < parts; ++part)
         EXPECT_EQ(list_.sort_until(crew_, 1.0 * part / parts), count == kFew) << part;
       EXPECT_TRUE(list_.sort_until(crew_, 1));
       EXPECT_EQ(list_.size(), count);
-      ASSERT_TRUE(std::ranges::equal(list_.pairs(crew_), ascending));
+      ASSERT_TRUE(std::ranges::equal(list_.pairs(crew_, room_), ascending));
     }
   }
 }
@@ -107,52 +109,53 @@ TEST_P(CandidateListTest, IsWholeWhoeverAsksBeforeAllPartsAreSorted) {
   Parts found = many_pairs(kMany);
   for (const double share : {0.0, 0.3}) {
     list_.replace(found.view());
-    list_.begin_sort(crew_);
+    list_.begin_sort(crew_, spare_);
     list_.sort_until(crew_, share);
-    EXPECT_EQ(list_.pairs(crew_).size(), kMany);
-    EXPECT_TRUE(
-        std::ranges::is_sorted(list_.pairs(crew_), {}, [](const SlotPair& pair) { return pair_key(pair); }));
+    EXPECT_EQ(list_.pairs(crew_, room_).size(), kMany);
+    EXPECT_TRUE(std::ranges::is_sorted(list_.pairs(crew_, room_), {},
+                                       [](const SlotPair& pair) { return pair_key(pair); }));
   }
   list_.replace(found.view());
-  list_.begin_sort(crew_);
+  list_.begin_sort(crew_, spare_);
   Parts few{{1, 2}, {0, 3}};
   list_.replace(few.view());
-  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{0, 3}, SlotPair{1, 2}));
+  EXPECT_THAT(list_.pairs(crew_, room_), ElementsAre(SlotPair{0, 3}, SlotPair{1, 2}));
 }
 
 TEST_P(CandidateListTest, IsReplacedByWhatIsFoundAnew) {
   Parts first{{1, 2}, {3, 4}};
   list_.replace(first.view());
   Parts second{{3, 4}, {0, 9}};
-  EXPECT_THAT(list_.take(crew_), ElementsAre(SlotPair{1, 2}, SlotPair{3, 4}));
+  list_.take(crew_, room_, spare_);
+  EXPECT_THAT(spare_.view(), ElementsAre(SlotPair{1, 2}, SlotPair{3, 4}));
   EXPECT_EQ(list_.size(), 0U);
   list_.replace(second.view());
   EXPECT_THAT(list_.found(), testing::SizeIs(1));
-  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{0, 9}, SlotPair{3, 4}));
+  EXPECT_THAT(list_.pairs(crew_, room_), ElementsAre(SlotPair{0, 9}, SlotPair{3, 4}));
   Parts none(2);
   list_.replace(none.view());
   EXPECT_EQ(list_.size(), 0U);
-  EXPECT_THAT(list_.pairs(crew_), IsEmpty());
+  EXPECT_THAT(list_.pairs(crew_, room_), IsEmpty());
 }
 
 TEST_P(CandidateListTest, SaysWhatBeganAndEndedInOrder) {
   Parts found{{3, 4}, {1, 2}, {2, 5}};
   list_.replace(found.view());
   Parts touched{{5, 6}, {0, 1}};
-  const SlotPairChanges changes = list_.change(crew_, touched.view(), changed({0, 1, 3, 6}));
+  const SlotPairChanges changes = list_.change(crew_, room_, touched.view(), changed({0, 1, 3, 6}));
   EXPECT_THAT(changes.began, ElementsAre(SlotPair{0, 1}, SlotPair{5, 6}));
   EXPECT_THAT(changes.ended, ElementsAre(SlotPair{1, 2}, SlotPair{3, 4}));
-  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{0, 1}, SlotPair{2, 5}, SlotPair{5, 6}));
+  EXPECT_THAT(list_.pairs(crew_, room_), ElementsAre(SlotPair{0, 1}, SlotPair{2, 5}, SlotPair{5, 6}));
 }
 
 TEST_P(CandidateListTest, APairOfBodiesThatChangedMayStay) {
   Parts found{{1, 2}, {4, 5}};
   list_.replace(found.view());
   Parts touched{{1, 2}, {0, 9}};
-  const SlotPairChanges changes = list_.change(crew_, touched.view(), changed({1, 4, 9}));
+  const SlotPairChanges changes = list_.change(crew_, room_, touched.view(), changed({1, 4, 9}));
   EXPECT_THAT(changes.began, ElementsAre(SlotPair{0, 9}));
   EXPECT_THAT(changes.ended, ElementsAre(SlotPair{4, 5}));
-  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{0, 9}, SlotPair{1, 2}));
+  EXPECT_THAT(list_.pairs(crew_, room_), ElementsAre(SlotPair{0, 9}, SlotPair{1, 2}));
 }
 
 TEST_P(CandidateListTest, OfSeveralNotesOnAPairTheLastCounts) {
@@ -160,13 +163,13 @@ TEST_P(CandidateListTest, OfSeveralNotesOnAPairTheLastCounts) {
   list_.replace(found.view());
   const std::uint64_t one = pair_key(SlotPair{4, 5});
   const std::uint64_t other = pair_key(SlotPair{7, 8});
-  list_.begin_notes(crew_);
+  list_.begin_notes(crew_, room_);
   EXPECT_TRUE(list_.note({&one, 1}, false));
   EXPECT_TRUE(list_.note({&other, 1}, true));
   EXPECT_TRUE(list_.note({&other, 1}, false));
   EXPECT_TRUE(list_.note({&one, 1}, true));
   EXPECT_EQ(list_.size(), 2U);
-  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{1, 2}, SlotPair{4, 5}));
+  EXPECT_THAT(list_.pairs(crew_, room_), ElementsAre(SlotPair{1, 2}, SlotPair{4, 5}));
 }
 
 TEST_P(CandidateListTest, IsWhatItWasWhenNotesAreForgotten) {
@@ -174,14 +177,14 @@ TEST_P(CandidateListTest, IsWhatItWasWhenNotesAreForgotten) {
   list_.replace(found.view());
   const std::uint64_t one = pair_key(SlotPair{4, 5});
   const std::uint64_t other = pair_key(SlotPair{7, 8});
-  list_.begin_notes(crew_);
+  list_.begin_notes(crew_, room_);
   EXPECT_TRUE(list_.note({&one, 1}, false));
-  list_.begin_notes(crew_);
+  list_.begin_notes(crew_, room_);
   EXPECT_TRUE(list_.note({&one, 1}, true));
   EXPECT_TRUE(list_.note({&other, 1}, true));
   list_.forget_notes();
   EXPECT_EQ(list_.size(), 1U);
-  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{1, 2}));
+  EXPECT_THAT(list_.pairs(crew_, room_), ElementsAre(SlotPair{1, 2}));
 }
 
 TEST_P(CandidateListTest, TakesNoMoreNotesInOneUpdateThanItHasUseFor) {
@@ -189,12 +192,12 @@ TEST_P(CandidateListTest, TakesNoMoreNotesInOneUpdateThanItHasUseFor) {
   list_.replace(found.view());
   std::vector<std::uint64_t> keys;
   for (Slot slot = 10; slot < 10 + tuning::kManyNotes; ++slot) keys.push_back(pair_key(SlotPair{0, slot}));
-  list_.begin_notes(crew_);
+  list_.begin_notes(crew_, room_);
   EXPECT_TRUE(list_.note(keys, true));
   EXPECT_TRUE(list_.note(std::span(keys).first(1), false));
   EXPECT_FALSE(list_.note(std::span(keys).first(1), true));
   EXPECT_EQ(list_.size(), 1 + keys.size());
-  list_.begin_notes(crew_);
+  list_.begin_notes(crew_, room_);
   EXPECT_TRUE(list_.note(std::span(keys).first(1), true));
 }
 
@@ -202,23 +205,23 @@ TEST_P(CandidateListTest, GivesBackWhatItHasNoUseFor) {
   Parts found{};
   for (Slot slot = 1; slot < 100'000; ++slot) found.add(0, {0, slot});
   list_.replace(found.view());
-  EXPECT_EQ(list_.pairs(crew_).size(), 99'999U);
+  EXPECT_EQ(list_.pairs(crew_, room_).size(), 99'999U);
   Parts few{{1, 2}, {4, 5}};
   list_.replace(few.view());
-  EXPECT_EQ(list_.pairs(crew_).size(), 2U);
-  list_.give_back(crew_);
+  EXPECT_EQ(list_.pairs(crew_, room_).size(), 2U);
+  list_.give_back(crew_, room_);
   EXPECT_LE(list_.bytes(), 64U << 10);
-  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{1, 2}, SlotPair{4, 5}));
+  EXPECT_THAT(list_.pairs(crew_, room_), ElementsAre(SlotPair{1, 2}, SlotPair{4, 5}));
 }
 
 TEST_P(CandidateListTest, StaysAsItIsWhenNothingChanges) {
   Parts found{{1, 2}, {4, 5}};
   list_.replace(found.view());
   Parts none(2);
-  const SlotPairChanges changes = list_.change(crew_, none.view(), changed({7}));
+  const SlotPairChanges changes = list_.change(crew_, room_, none.view(), changed({7}));
   EXPECT_THAT(changes.began, IsEmpty());
   EXPECT_THAT(changes.ended, IsEmpty());
-  EXPECT_THAT(list_.pairs(crew_), ElementsAre(SlotPair{1, 2}, SlotPair{4, 5}));
+  EXPECT_THAT(list_.pairs(crew_, room_), ElementsAre(SlotPair{1, 2}, SlotPair{4, 5}));
 }
 
 TEST_P(CandidateListTest, ChangesOneByOneAmountToTheSameSet) {
@@ -253,16 +256,16 @@ TEST_P(CandidateListTest, ChangesOneByOneAmountToTheSameSet) {
     if (round % 7 == 3) {
       list_.replace(all.view());
     } else if (round % 3 == 0) {
-      list_.change(crew_, touched.view(), flags);
+      list_.change(crew_, room_, touched.view(), flags);
     } else {
-      list_.begin_notes(crew_);
+      list_.begin_notes(crew_, room_);
       ASSERT_TRUE(list_.note(ended, false));
       ASSERT_TRUE(list_.note(began, true));
     }
     ASSERT_EQ(list_.size(), truth.size());
     if (round % 2 == 0 && round % 7 != 3) continue;
     // Keys stay where they are until the next call; here they do not outlive the round.
-    ASSERT_TRUE(std::ranges::equal(list_.pairs(crew_), truth)) << "round " << round;
+    ASSERT_TRUE(std::ranges::equal(list_.pairs(crew_, room_), truth)) << "round " << round;
   }
   EXPECT_GE(list_.bytes(), truth.size() * sizeof(SlotPair));
 }

@@ -76,7 +76,7 @@ class OverlapMarksTest : public testing::TestWithParam<unsigned> {
   void refresh(bool fresh_ones) {
     const Pairs& before = known_;
     const TestedBoxes tested{boxes_.data(), fresh_ones ? fresh_.data() : nullptr};
-    expect(marks_.refresh(crew_, candidates_, {began_, ended_}, tested), before);
+    expect(marks_.refresh(crew_, candidates_, {began_, ended_}, tested, room_), before);
   }
 
   /// Other candidates, all tested, compared with those before.
@@ -84,7 +84,7 @@ class OverlapMarksTest : public testing::TestWithParam<unsigned> {
     const Pairs candidates_before = std::exchange(candidates_, next);
     marks_.keep();
     marks_.test_all(crew_, candidates_, boxes_.data());
-    expect(marks_.compare(candidates_before, candidates_), known_);
+    expect(marks_.compare(candidates_before, candidates_, room_), known_);
   }
 
   void expect(const SlotPairChanges& changes, const Pairs& before) {
@@ -106,6 +106,7 @@ class OverlapMarksTest : public testing::TestWithParam<unsigned> {
   Pairs candidates_, began_, ended_;
   Pairs known_;  // that overlapped at the last test
   OverlapMarks marks_;
+  PairRoom room_;
 };
 
 TEST_P(OverlapMarksTest, SayWhichOverlappedBeforeSomeBoxesChanged) {
