@@ -15,13 +15,14 @@ namespace {
 
 class NarrowSort {
  public:
-  NarrowSort(KeyParts parts, std::uint32_t least) : parts_(parts), least_(least), count_(count_keys(parts)) {
+  NarrowSort(KeyParts parts, std::uint32_t least) : parts_(parts), count_(count_keys(parts)) {
     std::uint64_t used = 0;
     for (const auto part : parts_) {
-      for (const std::uint64_t key : part) used |= key - (std::uint64_t{least_} << 32);
+      for (const std::uint64_t key : part) used |= key - (std::uint64_t{least} << 32);
     }
-    second_bits_ = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(used)));
-    choose_digits(second_bits_ + static_cast<unsigned>(std::bit_width(used >> 32)));
+    const auto second_bits = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(used)));
+    narrowing_ = {least, second_bits};
+    choose_digits(second_bits + static_cast<unsigned>(std::bit_width(used >> 32)));
   }
 
   bool pays() const { return digits_ != 0; }
@@ -33,21 +34,53 @@ class NarrowSort {
     std::span<Narrow> to(new (scratch.data()) Narrow[count_], count_);
     const unsigned last = digits_ - 1;
     if (last % 2 != 0) std::swap(from, to);  // so that they are not where they go when they go there
-    for_each_narrowed([&](Narrow key) { from[places_[0][value(key, 0)]++] = key; });
-    for (unsigned digit = 1; digit < last; ++digit) {
-      for (const Narrow key : from) to[places_[digit][value(key, digit)]++] = key;
+    for_each_narrowed([to = from.data(), places = places_[0].data(), value = digit(0)](Narrow key) {
+      to[places[value(key)]++] = key;
+    });
+    for (unsigned number = 1; number < last; ++number) {
+      std::uint32_t* const places = places_[number].data();
+      const Digit value = digit(number);
+      for (const Narrow key : from) to[places[value(key)]++] = key;
       std::swap(from, to);
     }
+    std::uint32_t* const places = places_[last].data();
+    const Digit value = digit(last);
+    const Narrowing narrowed = narrowing_;
     for (const Narrow key : from) {
-      std::uint32_t* const pair = numbers + 2 * std::size_t{places_[last][value(key, last)]++};
-      pair[0] = first_of(key);
-      pair[1] = second_of(key);
+      std::uint32_t* const pair = numbers + 2 * std::size_t{places[value(key)]++};
+      pair[0] = narrowed.first_of(key);
+      pair[1] = narrowed.second_of(key);
     }
   }
 
  private:
   /// The first number above the second, which keeps the order.
   using Narrow = std::uint32_t;
+
+  // Loops have copies of these: a member would be read again after each number that they store.
+
+  struct Narrowing {
+    std::uint32_t least;
+    unsigned second_bits;
+
+    Narrow operator()(std::uint64_t key) const {
+      return static_cast<Narrow>(((key >> 32) - least) << second_bits | static_cast<std::uint32_t>(key));
+    }
+    // In 64 bits: either number may have all 32.
+    std::uint32_t first_of(Narrow key) const {
+      return static_cast<std::uint32_t>(std::uint64_t{key} >> second_bits) + least;
+    }
+    std::uint32_t second_of(Narrow key) const {
+      return static_cast<std::uint32_t>(key & ((std::uint64_t{1} << second_bits) - 1));
+    }
+  };
+
+  struct Digit {
+    unsigned shift;
+    Narrow mask;
+
+    std::size_t operator()(Narrow key) const { return key >> shift & mask; }
+  };
 
   static constexpr unsigned kFewestDigits = 2;
   static constexpr unsigned kMostDigits = 4;
@@ -65,20 +98,11 @@ class NarrowSort {
   }
 
   std::size_t values() const { return std::size_t{1} << digit_bits_; }
-  std::size_t value(Narrow key, unsigned digit) const { return key >> digit * digit_bits_ & (values() - 1); }
+  Digit digit(unsigned number) const { return {number * digit_bits_, static_cast<Narrow>(values() - 1)}; }
 
-  Narrow narrowed(std::uint64_t key) const {
-    return static_cast<Narrow>(((key >> 32) - least_) << second_bits_ | static_cast<std::uint32_t>(key));
-  }
-  // In 64 bits: either number may have all 32.
-  std::uint32_t first_of(Narrow key) const {
-    return static_cast<std::uint32_t>(std::uint64_t{key} >> second_bits_) + least_;
-  }
-  std::uint32_t second_of(Narrow key) const {
-    return static_cast<std::uint32_t>(key & ((std::uint64_t{1} << second_bits_) - 1));
-  }
   template <class Visit>
   void for_each_narrowed(const Visit& visit) const {
+    const Narrowing narrowed = narrowing_;
     for (const auto part : parts_) {
       for (const std::uint64_t key : part) visit(narrowed(key));
     }
@@ -91,21 +115,24 @@ class NarrowSort {
   }
   template <unsigned kDigits>
   void find_places_of() {
-    for (unsigned digit = 0; digit < kDigits; ++digit) std::fill_n(places_[digit].begin(), values(), 0U);
-    for_each_narrowed([&](Narrow key) {
-      for (unsigned digit = 0; digit < kDigits; ++digit) ++places_[digit][value(key, digit)];
+    std::array<Digit, kDigits> digits;
+    for (unsigned number = 0; number < kDigits; ++number) {
+      std::fill_n(places_[number].begin(), values(), 0U);
+      digits[number] = digit(number);
+    }
+    for_each_narrowed([places = places_.data(), digits](Narrow key) {
+      for (unsigned number = 0; number < kDigits; ++number) ++places[number][digits[number](key)];
     });
-    for (unsigned digit = 0; digit < kDigits; ++digit) {
+    for (unsigned number = 0; number < kDigits; ++number) {
       std::uint32_t prefix_sum = 0;
-      for (std::uint32_t& count : std::span(places_[digit]).first(values()))
+      for (std::uint32_t& count : std::span(places_[number]).first(values()))
         prefix_sum += std::exchange(count, prefix_sum);
     }
   }
 
   KeyParts parts_;
-  std::uint32_t least_;
+  Narrowing narrowing_;
   std::size_t count_;
-  unsigned second_bits_;
   unsigned digits_ = 0;  // 0: not to be sorted here
   unsigned digit_bits_ = 0;
   // How often each value of each digit occurs; then where the next key with it goes.
