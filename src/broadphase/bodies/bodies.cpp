@@ -15,6 +15,14 @@ namespace cellsweep {
 Status Bodies::insert(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes,
                       std::span<const BodyFilter> filters, std::string_view engine,
                       const Capacity& capacity) {
+  Status status = insert_all(crew, ids, boxes, filters, engine, capacity);
+  if (status.ok() && !ids.empty()) choice_.note_other();
+  return status;
+}
+
+Status Bodies::insert_all(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes,
+                          std::span<const BodyFilter> filters, std::string_view engine,
+                          const Capacity& capacity) {
   if (ids.size() != boxes.size()) return length_status(ids.size(), boxes.size());
   if (!filters.empty() && ids.size() != filters.size())
     return length_status(ids.size(), filters.size(), "filters");
@@ -66,6 +74,7 @@ void Bodies::set_filter(Slot slot, const BodyFilter& filter) {
   if (boxes_.state(slot) == kInserted) return filters_.set(slot, filter);
   const Aabb box = boxes_.next_box(slot);
   const Slot next = table_.renew_slot(slot);
+  choice_.note_other();
   boxes_.remove(slot);
   boxes_.insert({&next, 1}, {&box, 1});
   inserted_.push_back(next);
@@ -86,10 +95,8 @@ Status Bodies::add(Crew& crew, std::span<const Aabb> boxes, std::span<BodyId> id
   if (!are_valid(boxes)) return find_invalid_boxes({}, boxes);
   if (Status status = check_room(engine, capacity, ids.size()); !status.ok()) return status;
   slots_.resize(ids.size());
-  table_.choose_ids(slots_);
-  const bool all_are_chosen = table_.ids_are_chosen();
-  if (Status status = insert(crew, slots_, boxes, {}, engine, capacity); !status.ok()) return status;
-  table_.set_ids_are_chosen(all_are_chosen);
+  choice_.choose(table_, slots_);
+  if (Status status = insert_all(crew, slots_, boxes, {}, engine, capacity); !status.ok()) return status;
   std::copy(slots_.begin(), slots_.end(), ids.begin());
   return {};
 }
@@ -195,6 +202,7 @@ void Bodies::commit() {
   boxes_.commit(inserted_);
   inserted_.clear();
   filters_.commit();
+  if (!table_.removed().empty()) choice_.note_freed();
   table_.release();
   if (table_.slot_count() > 0 || boxes_.slots() == 0) return;
   // With nobody left all memory goes back. The table goes on counting its versions.

@@ -9,6 +9,7 @@
 
 #include "base/crew.h"
 #include "base/memory/memory.h"
+#include "broadphase/bodies/id_choice.h"
 #include "broadphase/bodies/id_table.h"
 #include "broadphase/bodies/move_check.h"
 #include "broadphase/bodies/slot_filters.h"
@@ -67,12 +68,15 @@ class Bodies {
   std::size_t bytes() const;
 
  private:
+  Status insert_all(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes,
+                    std::span<const BodyFilter> filters, std::string_view engine, const Capacity& capacity);
   Status check_room(std::string_view engine, const Capacity& capacity, std::size_t more) const;
   bool check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
   void set_filter(Slot slot, const BodyFilter& filter);
   MovedBodies checked_moves(const Crew& crew, std::span<const Aabb> boxes) const;
 
   IdTable table_;
+  IdChoice choice_;
   StagedBoxes boxes_;
   SlotFilters filters_;
   Vector<Slot> inserted_;

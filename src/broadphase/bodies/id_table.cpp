@@ -130,14 +130,12 @@ bool IdTable::insert(std::span<const BodyId> ids, Vector<Slot>& slots) {
 bool IdTable::insert(Crew& crew, std::span<const BodyId> ids, Vector<Slot>& slots) {
   if (is_new_run(ids)) {
     insert_new_run(ids, slots);
-    ids_are_chosen_ = false;
     return true;
   }
   reserve_for(ids);
   make_room(slots, slots.size() + ids.size());
   if (!map_all(crew, ids)) return false;
   ++version_;
-  ids_are_chosen_ = ids_are_chosen_ && ids.empty();
   if (free_.empty()) {
     append(ids, slots, are_consecutive(ids));
     return true;
@@ -218,58 +216,6 @@ bool IdTable::map_run(std::span<const BodyId> ids) {
   return true;
 }
 
-namespace {
-
-/// Bodies that are gone and whose slots wait, by id: each id above a slot.
-using Waiting = std::span<const std::uint64_t>;
-
-/// The slot of one, or kNoSlot.
-[[gnu::cold]] Slot find_waiting(Waiting waiting, BodyId id) {
-  const std::uint64_t first = std::uint64_t{id} << 32;
-  const auto found = std::ranges::lower_bound(waiting, first);
-  return found != waiting.end() && *found >> 32 == id ? static_cast<Slot>(*found) : kNoSlot;
-}
-
-}  // namespace
-
-void IdTable::choose_ids(std::span<BodyId> ids) const {
-  Vector<std::uint64_t> waiting;
-  waiting.reserve(removed_.size());
-  for (const Slot slot : removed_) waiting.push_back(std::uint64_t{ids_[slot]} << 32 | slot);
-  sort_keys(waiting);
-  const auto is_taken = [&](BodyId id) {
-    return find(id) != kNoSlot || find_waiting(waiting, id) != kNoSlot;
-  };
-  const auto start = static_cast<BodyId>(ids_.size() + ids.size());
-  if (start < taken_from_ || start >= taken_to_) taken_from_ = taken_to_ = start;
-  BodyId beyond = taken_to_;
-  bool knows_more = false;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    ids[i] = next_slot(i);
-    if (!is_taken(ids[i])) continue;
-    if (ids_are_chosen_) {
-      ids[i] = follow(ids[i], waiting);
-      continue;
-    }
-    do ids[i] = beyond++;
-    while (is_taken(ids[i]));
-    if (!std::exchange(knows_more, true)) taken_to_ = ids[i];
-  }
-}
-
-// From a slot that nobody is in to who has its number for an id, from there to who has the number of that
-// one's slot: no slot comes twice, nor in the way from another one, and the last one's number nobody has.
-// Only numbering anew makes such ways, and as that keeps the order of bodies they are short but for worlds
-// made to have long ones.
-BodyId IdTable::follow(Slot slot, Waiting waiting) const {
-  for (;;) {
-    Slot holder = find(slot);
-    if (holder == kNoSlot) holder = find_waiting(waiting, slot);
-    if (holder == kNoSlot) return slot;
-    slot = holder;
-  }
-}
-
 void IdTable::reserve_removals(std::size_t count) {
   make_table();
   make_room(removed_, removed_.size() + count);
@@ -289,7 +235,6 @@ Slot IdTable::renew_slot(Slot slot) {
   unmap(id);
   map(id, next);
   take_slot(id);
-  ids_are_chosen_ = false;
   removed_.push_back(slot);
   --size_;
   ++version_;
@@ -308,7 +253,6 @@ void IdTable::release() {
   sort_numbers(removed_);
   free_.insert(free_.end(), removed_.rbegin(), removed_.rend());
   removed_.clear();
-  taken_from_ = taken_to_ = 0;
 }
 
 IdTable IdTable::renumbered(Vector<Slot>& before) const {
@@ -325,7 +269,6 @@ IdTable IdTable::renumbered(Vector<Slot>& before) const {
   Vector<Slot> slots;
   fresh.insert(ids, slots);
   fresh.version_ = version_ + 1;
-  fresh.ids_are_chosen_ = ids_are_chosen_;
   return fresh;
 }
 

@@ -47,13 +47,11 @@ class IdTable {
   bool insert(Crew& crew, std::span<const BodyId> ids, Vector<Slot>& slots);
   bool insert(std::span<const BodyId> ids, Vector<Slot>& slots);
 
-  /// Ids that nobody has, for so many more bodies: those of the slots that insert() would give out next,
-  /// where nobody has them; else below slot_count() as it will be, while all ids have been chosen so.
-  [[gnu::cold]] void choose_ids(std::span<BodyId> ids) const;
-  /// Whether they have, and no body got another slot by itself since. Which insert() cannot know: it is not
-  /// so after it, until its caller says that it is.
-  bool ids_are_chosen() const { return ids_are_chosen_; }
-  void set_ids_are_chosen(bool chosen) { ids_are_chosen_ = chosen; }
+  /// The slot that insert() gives out next when it has given out so many.
+  Slot next_slot(std::size_t before) const {
+    return before < free_.size() ? free_[free_.size() - 1 - before]
+                                 : static_cast<Slot>(ids_.size() + before - free_.size());
+  }
 
   /// Makes room for removing so many: remove(), renew_slot() and release() take no memory then.
   void reserve_removals(std::size_t count);
@@ -67,7 +65,10 @@ class IdTable {
   /// Removes a body that is held, in this slot.
   void remove(Slot slot);
 
-  /// Slots of removed bodies are free from now on. With no body left, all memory is given back.
+  /// Slots of removed bodies, which wait for release().
+  std::span<const Slot> removed() const { return removed_; }
+
+  /// They are free from now on. With no body left, all memory is given back.
   void release();
 
   /// True when so many slots are free that slots should be numbered anew.
@@ -107,18 +108,11 @@ class IdTable {
   bool is_new_run(std::span<const BodyId> ids) const;
   void insert_new_run(std::span<const BodyId> ids, Vector<Slot>& slots);
   void append(std::span<const BodyId> ids, Vector<Slot>& slots, bool consecutive);
-  // The slot that is given out when so many have been given out before.
-  Slot next_slot(std::size_t before) const {
-    return before < free_.size() ? free_[free_.size() - 1 - before]
-                                 : static_cast<Slot>(ids_.size() + before - free_.size());
-  }
   void take_slot(BodyId id);
-  [[gnu::cold]] BodyId follow(Slot slot, std::span<const std::uint64_t> waiting) const;
 
   std::size_t size_ = 0;
   bool identical_ = true;
   bool ascending_ = true;
-  bool ids_are_chosen_ = true;
   std::uint64_t version_ = 0;
   Vector<BodyId> ids_;
   Vector<Slot> direct_;       // slots of ids below its size
@@ -126,9 +120,6 @@ class IdTable {
   Deferred table_;            // once somebody looks one up
   Vector<Slot> free_;         // the last is given out first
   Vector<Slot> removed_;      // until release()
-  // All ids from the one to before the other are taken: choose_ids() need not look at them again.
-  mutable BodyId taken_from_ = 0;
-  mutable BodyId taken_to_ = 0;
 };
 
 }  // namespace cellsweep

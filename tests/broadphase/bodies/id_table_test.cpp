@@ -14,6 +14,7 @@
 
 #include "base/memory/starved.h"
 #include "base/tuning.h"
+#include "broadphase/bodies/id_tables.h"
 #include "contract/random.h"
 
 namespace cellsweep {
@@ -22,32 +23,6 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
-
-using Ids = std::vector<BodyId>;
-
-/// The slots that the ids got; fails the test when they were refused.
-std::vector<Slot> insert(IdTable& table, const Ids& ids) {
-  Vector<Slot> slots;
-  EXPECT_TRUE(table.insert(ids, slots));
-  return {slots.begin(), slots.end()};
-}
-
-void remove(IdTable& table, const Ids& ids) {
-  table.reserve_removals(ids.size());
-  for (const BodyId id : ids) table.remove(table.find(id));
-}
-
-IdTable table_of(const Ids& ids) {
-  IdTable table;
-  insert(table, ids);
-  return table;
-}
-
-Ids choose(const IdTable& table, std::size_t count) {
-  Ids ids(count);
-  table.choose_ids(ids);
-  return ids;
-}
 
 /// All that a table shows, but for how often it changed.
 struct Contents {
@@ -200,7 +175,6 @@ TEST(IdTable, CountsWhatChangesAboutSlots) {
   EXPECT_TRUE(has_changed());
   insert(table, {1});
   EXPECT_TRUE(has_changed());
-  choose(table, 3);
   EXPECT_EQ(table.find(7), 2U);
   EXPECT_FALSE(has_changed());
 }
@@ -222,14 +196,6 @@ TEST(IdTable, TakesOverNothingWhenDenseIdsReachWhereScatteredOnesWere) {
   EXPECT_EQ(table.find(40'000), kNoSlot);
   insert(table, {40'000});
   EXPECT_EQ(table.find(40'000), 50'001U);
-}
-
-/// Ids of every neighbourhood.
-BodyId random_id(contract::Random& random) {
-  constexpr BodyId kSpecial[] = {0, 1, 0xffffffff, 0xfffffffe, 1023, 1024, 1025};
-  if (random.one_in(3)) return static_cast<BodyId>(random.below(300));
-  if (random.one_in(5)) return kSpecial[random.below(7)];
-  return static_cast<BodyId>(random.below(300) * 14'000'029);
 }
 
 /// The table holds what the map does, and its flags are true.
@@ -339,68 +305,6 @@ INSTANTIATE_TEST_SUITE_P(AtEveryPlace, RefusedInsert,
                                          Ids{300, 300}, Ids{0xffffffff, 300, 0xffffffff},
                                          Ids{9, 40'000'000, 10, 40'000'000, 11},
                                          Ids{12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 8}));
-
-TEST(ChosenIds, AreThoseFromZeroOnInAnEmptyTable) {
-  EXPECT_THAT(choose(IdTable(), 4), ElementsAre(0U, 1U, 2U, 3U));
-  EXPECT_THAT(choose(IdTable(), 0), IsEmpty());
-}
-
-TEST(ChosenIds, FillTheGapsThatBodiesLeft) {
-  IdTable table = table_of({0, 1, 2, 3, 4, 5});
-  remove(table, {1, 4});
-  table.release();
-  EXPECT_THAT(choose(table, 3), UnorderedElementsAre(1U, 4U, 6U));
-}
-
-TEST(ChosenIds, AreNotThoseOfBodiesWhosePairsHaveNotEnded) {
-  IdTable table = table_of({0, 1, 2});
-  remove(table, {1});
-  EXPECT_THAT(choose(table, 2), UnorderedElementsAre(3U, 4U));
-  table.release();
-  EXPECT_THAT(choose(table, 2), UnorderedElementsAre(1U, 3U));
-}
-
-TEST(ChosenIds, AreTheNextOnesBehindIdsThatAreTakenUntilSomeOfThoseAreGone) {
-  Ids taken;
-  for (BodyId id = 100; id < 200; ++id) taken.push_back(id);
-  IdTable table = table_of(taken);
-  for (BodyId next = 200; next < 210; ++next) {
-    EXPECT_THAT(choose(table, 1), ElementsAre(next)) << "chosen, and not used";
-    EXPECT_THAT(choose(table, 1), ElementsAre(next));
-    insert(table, {next});
-  }
-  remove(table, {150});
-  EXPECT_THAT(choose(table, 2), ElementsAre(210U, 211U));
-  table.release();
-  EXPECT_THAT(choose(table, 2), UnorderedElementsAre(50U, 150U)) << "150 is looked at again";
-}
-
-TEST(ChosenIds, AreNobodysAndDifferThroughRandomCalls) {
-  contract::Random random(2);
-  IdTable table;
-  std::set<BodyId> held;
-  std::set<BodyId> waiting;
-  for (int call = 0; call < 1000; ++call) {
-    const Ids ids = choose(table, random.below(6));
-    for (const BodyId id : ids) {
-      ASSERT_FALSE(waiting.contains(id));
-      ASSERT_TRUE(held.insert(id).second);
-    }
-    insert(table, ids);
-    if (const BodyId id = random_id(random); held.insert(id).second) insert(table, {id});
-    for (int i = random.whole(0, 7); i > 0 && !held.empty(); --i) {
-      const BodyId id = *std::next(held.begin(), static_cast<std::ptrdiff_t>(random.below(held.size())));
-      remove(table, {id});
-      held.erase(id);
-      waiting.insert(id);
-    }
-    if (random.one_in(3)) {
-      table.release();
-      waiting.clear();
-    }
-    ASSERT_EQ(table.size(), held.size());
-  }
-}
 
 TEST(RenumberedIds, HaveSlotsWithoutGapsInTheSameOrder) {
   Ids ids;
@@ -563,64 +467,6 @@ TEST(IdTable, ThatWaitsHasChangedInNothingWithoutMemory) {
   EXPECT_GE(starve([&] { return table_of(ids); }, [](IdTable& table) { table.reserve_removals(3); }, is_kept,
                    is_kept),
             2U);
-}
-
-/// As who adds bodies without ids of his own does.
-Ids add(IdTable& table, std::size_t count) {
-  const Ids ids = choose(table, count);
-  const bool chosen = table.ids_are_chosen();
-  insert(table, ids);
-  table.set_ids_are_chosen(chosen);
-  return ids;
-}
-
-IdTable numbered_anew(const IdTable& table) {
-  Vector<Slot> before;
-  return table.renumbered(before);
-}
-
-TEST(IdTable, IdsThatItChoseStaySmallThroughNumberingAnew) {
-  contract::Random random(5);
-  IdTable table;
-  Ids held;
-  std::set<BodyId> taken;  // by those who are held or wait
-  std::size_t most = 0;
-  for (int round = 0; round < 400; ++round) {
-    const Ids added = add(table, random.below(round % 7 == 0 ? 2000 : 40));
-    most = std::max(most, taken.size() + added.size());
-    for (const BodyId id : added) {
-      ASSERT_LT(id, most);
-      ASSERT_TRUE(taken.insert(id).second) << id << " is taken";
-    }
-    held.insert(held.end(), added.begin(), added.end());
-    // All but a few at times, and those at one end or anywhere.
-    const std::size_t left = random.one_in(4) ? random.below(held.size() / 8 + 1) : held.size() / 4 * 3;
-    if (random.one_in(2)) std::ranges::sort(held);
-    if (random.one_in(2)) std::ranges::reverse(held);
-    remove(table, {held.begin() + static_cast<std::ptrdiff_t>(left), held.end()});
-    held.resize(left);
-    if (random.one_in(3)) continue;
-    table.release();
-    taken = {held.begin(), held.end()};
-    if (table.is_sparse()) table = numbered_anew(table);
-  }
-  EXPECT_TRUE(table.ids_are_chosen());
-}
-
-TEST(IdTable, KnowsThatSomebodyElseChoseAnId) {
-  IdTable table;
-  add(table, 3);
-  EXPECT_TRUE(table.ids_are_chosen());
-  insert(table, {7});
-  EXPECT_FALSE(table.ids_are_chosen());
-  EXPECT_FALSE(numbered_anew(table).ids_are_chosen());
-  remove(table, {0, 1, 2, 7});
-  table.release();
-  EXPECT_TRUE(table.ids_are_chosen()) << "nobody is left";
-  add(table, 2);
-  table.reserve_removals(1);
-  table.renew_slot(table.find(1));
-  EXPECT_FALSE(table.ids_are_chosen());
 }
 
 }  // namespace
