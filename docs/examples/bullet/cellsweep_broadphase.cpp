@@ -39,9 +39,8 @@ Proxy& CellsweepBroadphase::take_proxy() {
 
 // A body is on each list at most once: with room for all, only a new body asks for memory between updates.
 void CellsweepBroadphase::make_room_for(std::size_t bodies) {
-  for (std::vector<BodyId>* const list : {&free_, &gone_, &removed_, &created_, &moved_})
-    list->reserve(bodies);
-  moved_boxes_.reserve(bodies);
+  for (std::vector<BodyId>* const list : {&free_, &gone_, &removed_, &created_}) list->reserve(bodies);
+  moved_.reserve(bodies);
 }
 
 btBroadphaseProxy* CellsweepBroadphase::createProxy(const btVector3& aabb_min, const btVector3& aabb_max, int,
@@ -79,32 +78,17 @@ void CellsweepBroadphase::setAabb(btBroadphaseProxy* base, const btVector3& aabb
   proxy.m_aabbMin = aabb_min;
   proxy.m_aabbMax = aabb_max;
   Body& body = bodies_[id];
-  if (!body.is_told) return;
-  if (has_moved(id)) {
-    moved_boxes_[body.place] = box_of(proxy);
-  } else {
-    body.place = static_cast<std::uint32_t>(moved_.size());
-    moved_.push_back(id);
-    moved_boxes_.push_back(box_of(proxy));
-  }
+  if (body.is_told) moved_.put(id, box_of(aabb_min, aabb_max), body.place);
 }
 
-// The list says so: to tell each proxy when it has been emptied would be one more look at all of them, which
-// the step has put out of the caches.
 bool CellsweepBroadphase::has_moved(BodyId id) const {
-  const std::uint32_t place = bodies_[id].place;
-  return place < moved_.size() && moved_[place] == id;
+  return moved_.has(id, bodies_[id].place);
 }
 
-// The last one takes the place.
 void CellsweepBroadphase::forget_move(BodyId id) {
   if (!has_moved(id)) return;
   const std::uint32_t place = bodies_[id].place;
-  bodies_[moved_.back()].place = place;
-  moved_[place] = moved_.back();
-  moved_boxes_[place] = moved_boxes_.back();
-  moved_.pop_back();
-  moved_boxes_.pop_back();
+  bodies_[moved_.take_out(place)].place = place;
 }
 
 void CellsweepBroadphase::getAabb(btBroadphaseProxy* proxy, btVector3& aabb_min, btVector3& aabb_max) const {
@@ -171,7 +155,7 @@ void CellsweepBroadphase::add_seen(BodyId id, Proxies& proxies) const {
 
 void CellsweepBroadphase::add_unseen(Proxies& proxies) const {
   for (const BodyId id : created_) proxies.push_back(&proxies_[id]);
-  for (const BodyId id : moved_) proxies.push_back(&proxies_[id]);
+  for (const BodyId id : moved_.ids()) proxies.push_back(&proxies_[id]);
 }
 
 void CellsweepBroadphase::getBroadphaseAabb(btVector3& aabb_min, btVector3& aabb_max) const {
@@ -258,10 +242,8 @@ Status CellsweepBroadphase::tell_created() {
 }
 
 Status CellsweepBroadphase::tell_moved() {
-  Status status = broadphase_.move(moved_, moved_boxes_);
-  if (!status.ok()) return status;
-  moved_.clear();
-  moved_boxes_.clear();
+  Status status = broadphase_.move(moved_.ids(), moved_.boxes());
+  if (status.ok()) moved_.clear();
   return status;
 }
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "moved_list.h"
 #include "proxy_pool.h"
 
 /// Stands in a btCollisionWorld or btDynamicsWorld where a btDbvtBroadphase would:
@@ -69,7 +70,7 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
  private:
   /// What there is to know of a proxy besides.
   struct Body {
-    std::uint32_t place = 0;  // among those that moved, if it is one of them: has_moved()
+    std::uint32_t place = 0;  // in the list of those that moved, if it is there: has_moved()
     bool is_there = false;
     bool is_told = false;  // to the broadphase
   };
@@ -106,8 +107,7 @@ class CellsweepBroadphase final : public btBroadphaseInterface {
   // What the next update is to be told, by id.
   std::vector<cellsweep::BodyId> removed_;
   std::vector<cellsweep::BodyId> created_;
-  std::vector<cellsweep::BodyId> moved_;
-  std::vector<cellsweep::Aabb> moved_boxes_;
+  MovedList moved_;
   // Of one call.
   std::vector<cellsweep::BodyId> ids_;
   std::vector<cellsweep::Aabb> boxes_;

@@ -17,7 +17,7 @@ float at_least(btScalar value) {
 
 }  // namespace
 
-cellsweep::Aabb box_of(const btVector3& low, const btVector3& high) {
+cellsweep::Aabb box_around(const btVector3& low, const btVector3& high) {
   return {{at_most(low.x()), at_most(low.y()), at_most(low.z())},
           {at_least(high.x()), at_least(high.y()), at_least(high.z())}};
 }

@@ -6,8 +6,18 @@
 #include <cellsweep/aabb.h>
 #include <cellsweep/filter.h>
 
-/// Where btScalar is double, rounded to the outside.
-cellsweep::Aabb box_of(const btVector3& low, const btVector3& high);
+#include <type_traits>
+
+/// Rounded to the outside, for where btScalar is double.
+cellsweep::Aabb box_around(const btVector3& low, const btVector3& high);
+
+inline cellsweep::Aabb box_of(const btVector3& low, const btVector3& high) {
+  if constexpr (std::is_same_v<btScalar, float>) {
+    return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
+  } else {
+    return box_around(low, high);
+  }
+}
 inline cellsweep::Aabb box_of(const btBroadphaseProxy& proxy) {
   return box_of(proxy.m_aabbMin, proxy.m_aabbMax);
 }
