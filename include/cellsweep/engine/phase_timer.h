@@ -15,6 +15,8 @@ namespace cellsweep {
 /// A stopwatch that is read at the end of each step.
 class PhaseTimer {
  public:
+  using Clock = std::chrono::steady_clock;
+
   explicit PhaseTimer(std::vector<Phase>& phases) : phases_(phases) { phases_.clear(); }
 
   /// Everything since the last call, or since construction, was the step of this name.
@@ -26,9 +28,10 @@ class PhaseTimer {
     last_ = now;
   }
 
- private:
-  using Clock = std::chrono::steady_clock;
+  /// When the last step ended.
+  Clock::time_point last() const { return last_; }
 
+ private:
   std::vector<Phase>& phases_;
   Clock::time_point last_ = Clock::now();
 };

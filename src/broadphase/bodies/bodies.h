@@ -72,7 +72,7 @@ class Bodies {
                     std::span<const BodyFilter> filters, std::string_view engine, const Capacity& capacity);
   Status check_room(std::string_view engine, const Capacity& capacity, std::size_t more) const;
   bool check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes);
-  void set_filter(Slot slot, const BodyFilter& filter);
+  [[gnu::cold]] void set_filter(Slot slot, const BodyFilter& filter);
   MovedBodies checked_moves(const Crew& crew, std::span<const Aabb> boxes) const;
 
   IdTable table_;

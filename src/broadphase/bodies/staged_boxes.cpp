@@ -6,9 +6,9 @@
 #include <cstring>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include "base/memory/array.h"
+#include "base/per_worker.h"
 #include "broadphase/bodies/box_checks.h"
 #include "geometry/box_lanes.h"
 #include "geometry/canonical.h"
@@ -86,20 +86,21 @@ void StagedBoxes::move(Crew& crew, const MovedBodies& bodies) {
   const std::size_t count = bodies.slots.size();
   const std::size_t before = moved_.size();
   moved_.reserve(before + count);
-  std::vector<std::size_t> written(crew.active());
+  const unsigned workers = bodies.ascends ? crew.active() : 1;
+  PerWorker<std::size_t> written(workers);
   reserve_next();
   Slot* const room = moved_.data() + before;
-  if (bodies.ascends) {
+  if (workers > 1) {
     crew.run([&](unsigned worker) {
-      const Share share = Share::of(count, worker, crew.active());
+      const Share share = Share::of(count, worker, workers);
       written[worker] = move_share(bodies, share, room + share.first);
     });
   } else {
     written[0] = move_share(bodies, {0, count}, room);
   }
   std::size_t end = written[0];
-  for (unsigned worker = 1; worker < crew.active(); ++worker) {
-    const Slot* from = room + Share::of(count, worker, crew.active()).first;
+  for (unsigned worker = 1; worker < workers; ++worker) {
+    const Slot* from = room + Share::of(count, worker, workers).first;
     std::copy_n(from, written[worker], room + end);
     end += written[worker];
   }

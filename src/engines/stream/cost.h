@@ -19,10 +19,10 @@ class Cost {
 
   double seconds() const { return seconds_; }
 
-  /// An update of so many bodies has run since `start`. One late thread must not change a plan.
-  void learn(Clock::time_point start, unsigned workers, std::size_t bodies) {
-    const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
-    const double sample = elapsed * workers / static_cast<double>(bodies);
+  /// An update of so many bodies took so long. One late thread must not change a plan.
+  void learn(Clock::duration elapsed, unsigned workers, std::size_t bodies) {
+    const double seconds = std::chrono::duration<double>(elapsed).count();
+    const double sample = seconds * workers / static_cast<double>(bodies);
     seconds_ += 0.25 * (std::clamp(sample, seconds_ / 4, seconds_ * 2) - seconds_);
   }
 

@@ -34,6 +34,9 @@ class Rebuild {
   /// boxes. Returns how many fat boxes it prepared.
   std::size_t go_on(const BodyChanges& changes, std::size_t escaped, const Cost& cost);
 
+  /// Whether some of it is prepared, or room for it held.
+  bool is_under_way() const { return holds_memory_; }
+
   /// An update used what was prepared.
   [[gnu::cold]] void note_used(std::size_t bodies);
   /// An update has found everything anew: what was prepared is of no use. It may hold the candidates that the

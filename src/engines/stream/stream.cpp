@@ -94,7 +94,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
       note_full();
     } else if (!parts_.finder) {
       changed_ += rebuild_.go_on(changes, fat_boxes_.changes().size(), costs_.full);
-      timer.lap("next cells");
+      if (rebuild_.is_under_way()) timer.lap("next cells");
     }
   } catch (const TooManyPairs&) {
     forget_all();
@@ -211,7 +211,7 @@ void Stream::note_slack(const BodyChanges& changes) {
 // False when everything is to be found anew instead.
 bool Stream::find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPairs& found) {
   const std::size_t count = fat_boxes_.changes().size();
-  const Cost::Clock::time_point start = Cost::Clock::now();
+  const PhaseTimer::Clock::time_point start = timer.last();
   crew_.plan(count, costs_.partial.seconds());
   if (!search_.change(fat_boxes_.changes())) return false;
   changed_ += count;
@@ -219,7 +219,7 @@ bool Stream::find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPa
   const SlotPairChanges of_candidates =
       overlaps_.change_candidates(changes, fat_boxes_.changes(), search_.cells());
   timer.lap("sort");
-  costs_.partial.learn(start, crew_.active(), count);
+  costs_.partial.learn(timer.last() - start, crew_.active(), count);
   found = overlaps_.test(changes, of_candidates);
   note_slack(changes);
   timer.lap("tests");
@@ -266,7 +266,7 @@ FoundPairs Stream::find_anew(const BodyChanges& changes, std::size_t most_swept,
     overlaps_.put_in_order();
     timer.lap("sort");
   }
-  costs_.full.learn(start, crew_.active(), bodies_);
+  costs_.full.learn(Cost::Clock::now() - start, crew_.active(), bodies_);
   const FoundPairs found = overlaps_.compare(changes);
   timer.lap("tests");
   return found;

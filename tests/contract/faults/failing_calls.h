@@ -21,8 +21,9 @@ enum class Lasts { once, for_ever };
 void let_fail(Scarce scarce, std::uint64_t n, Lasts lasts = Lasts::once);
 void count_calls(bool on);
 
-/// How many calls failed since the last let_fail() for it.
+/// How many calls failed, or were made at all and counted, since the last let_fail() for it.
 std::uint64_t failed_calls(Scarce scarce);
+std::uint64_t counted_calls(Scarce scarce);
 
 /// What the calls ask that stand in for the system's: whether this one fails.
 bool must_fail(Scarce scarce);

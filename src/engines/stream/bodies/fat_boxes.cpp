@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
+#include "base/per_worker.h"
 #include "base/tuning.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/bodies/fat_box.h"
@@ -62,7 +62,7 @@ void FatBoxes::drop_slack() {
 std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
   const std::span<const Slot> moved = changes.moved;
   escapes_.renew(moved.size());
-  std::vector<std::size_t> counts(crew.active());
+  PerWorker<std::size_t> counts(crew.active());
   crew.run([&](unsigned worker) {
     const Share share = Share::of(moved.size(), worker, crew.active());
     std::size_t count = 0;
@@ -78,7 +78,7 @@ std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
     counts[worker] = count;
   });
   std::size_t sum = 0;
-  for (const std::size_t count : counts) sum += count;
+  for (const std::size_t count : counts.view()) sum += count;
   return sum;
 }
 

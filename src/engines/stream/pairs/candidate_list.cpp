@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "base/per_worker.h"
 #include "base/tuning.h"
 
 namespace cellsweep::stream {
@@ -144,7 +145,7 @@ SlotPairChanges CandidateList::change(Crew& crew, PairRoom& room, KeyParts touch
 
 void CandidateList::list_pairs_of(Crew& crew, const std::uint8_t* changed, Array<SlotPair>& listed) const {
   listed.renew(pairs_.size());
-  std::vector<std::size_t> counts(crew.active());
+  PerWorker<std::size_t> counts(crew.active());
   crew.run([&](unsigned worker) {
     const Share share = Share::of(pairs_.size(), worker, crew.active());
     SlotPair* const first = listed.data() + share.first;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstring>
 #include <utility>
-#include <vector>
 
 #include "base/pair_changes.h"
+#include "base/per_worker.h"
 #include "base/tuning.h"
 #include "geometry/box_lanes.h"
 
@@ -31,13 +31,13 @@ class Outputs {
  public:
   Outputs(const TestOutput& room, std::span<const SlotPair> candidates, std::span<const SlotPair> ended,
           unsigned workers)
-      : starts_(workers) {
+      : starts_(workers), ends_(workers) {
     for (unsigned worker = 0; worker < workers; ++worker) {
       const std::size_t first = Share::of(candidates.size(), worker, workers).first;
       const std::size_t ended_before = first == 0 ? 0 : count_below(ended, candidates[first]);
       starts_[worker] = {room.marks + first, room.began + first, room.ended + first + ended_before};
+      ends_[worker] = starts_[worker];
     }
-    ends_ = starts_;
   }
 
   TestOutput& of(unsigned worker) { return ends_[worker]; }
@@ -45,7 +45,7 @@ class Outputs {
   std::size_t gather(SlotPair* TestOutput::*list) {
     SlotPair* const start = starts_[0].*list;
     SlotPair* to = start;
-    for (std::size_t worker = 0; worker < starts_.size(); ++worker) {
+    for (unsigned worker = 0; worker < starts_.size(); ++worker) {
       const SlotPair* from = starts_[worker].*list;
       const auto count = static_cast<std::size_t>(ends_[worker].*list - from);
       if (to != from) std::memmove(to, from, count * sizeof(SlotPair));
@@ -55,8 +55,8 @@ class Outputs {
   }
 
  private:
-  std::vector<TestOutput> starts_;
-  std::vector<TestOutput> ends_;
+  PerWorker<TestOutput> starts_;
+  PerWorker<TestOutput> ends_;
 };
 
 }  // namespace
