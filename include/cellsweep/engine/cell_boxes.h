@@ -22,8 +22,11 @@ struct alignas(32) TaggedBox {
   std::uint32_t unused;
 };
 
-/// The boxes of one cell. `count` of `capacity` hold something; `capacity` is a multiple of the kernels'
-/// lanes.
+/// Kernels read boxes by so many, or by fewer where their vectors hold fewer.
+inline constexpr unsigned kBoxesTogether = 8;
+
+/// The boxes of one cell. `count` of `capacity` hold something; `capacity` is a multiple of how many the
+/// kernels read together.
 struct CellBoxes {
   TaggedBox* boxes = nullptr;
   std::uint32_t count = 0;

@@ -16,7 +16,7 @@ void cross_pairs(const stream::CellBoxes& cell, std::uint32_t rows, stream::KeyB
   stream::Hits hits[stream::kStrip];
   // Room behind the last box is in whole vectors from the first one on: so are blocks.
   for (std::uint32_t first = rows - rows % Lanes::kCount; first < end_of_cell; first += Lanes::kCount) {
-    const stream::Block<Lanes> block(boxes + first);
+    const stream::Block<Lanes> block(boxes + first, end_of_cell - first);
     const std::uint32_t before = first < rows ? stream::lanes_below<Lanes>(rows - first) : 0;
     const std::uint32_t there = stream::lanes_below<Lanes>(end_of_cell - first) & ~before;
     for (std::uint32_t strip = 0; strip < rows; strip += stream::kStrip) {

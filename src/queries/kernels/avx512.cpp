@@ -6,16 +6,16 @@
 namespace cellsweep::queries {
 namespace {
 
-/// Sixteen boxes at a time.
+/// Sixteen boxes at a time. Of the second eight none is read when none is there.
 struct Avx512QueryLanes : LanesInOrder<16> {
   using Vector = __m512;
   using Mask = std::uint32_t;
 
-  static void gather(const std::byte* boxes, std::size_t step, Vector (&faces)[6]) {
+  static void gather(const std::byte* boxes, std::size_t step, std::uint32_t there, Vector (&faces)[6]) {
     __m256 low[6];
     __m256 high[6];
     stream::gather_eight(reinterpret_cast<const Aabb*>(boxes), step, low);
-    stream::gather_eight(reinterpret_cast<const Aabb*>(boxes + 8 * step), step, high);
+    stream::gather_eight(reinterpret_cast<const Aabb*>(boxes + (there > 8 ? 8 * step : 0)), step, high);
     for (unsigned face = 0; face < 6; ++face) {
       faces[face] = __builtin_shufflevector(low[face], high[face], 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
                                             13, 14, 15);
@@ -28,10 +28,11 @@ struct Avx512QueryLanes : LanesInOrder<16> {
 /// The same of boxes of 32 bytes, two in a vector: lanes are in the order in which the fewest shuffles leave
 /// them.
 struct Avx512TaggedLanes : Avx512QueryLanes {
-  static void gather(const std::byte* boxes, std::size_t /*step*/, Vector (&faces)[6]) {
+  static void gather(const std::byte* boxes, std::size_t /*step*/, std::uint32_t there, Vector (&faces)[6]) {
+    const std::size_t second = there > 8 ? 256 : 0;
     Vector low_xy[2], low_zx[2], low_yz[2], high_x[2];
     for (std::size_t half = 0; half < 2; ++half) {
-      const auto pair = [&](std::size_t i) { return _mm512_loadu_ps(boxes + 256 * half + 64 * i); };
+      const auto pair = [&](std::size_t i) { return _mm512_loadu_ps(boxes + second * half + 64 * i); };
       const Vector a = floats_low(pair(0), pair(1)), b = floats_low(pair(2), pair(3));
       const Vector c = floats_high(pair(0), pair(1)), d = floats_high(pair(2), pair(3));
       low_xy[half] = doubles_low(a, b);   // x of the minimum, y of the maximum

@@ -22,7 +22,7 @@ class TestInCell {
   /// A bit for each that overlaps.
   std::uint64_t test(const stream::TaggedBox* boxes) const {
     VectorOf<Lanes> faces[6];
-    Lanes::gather(reinterpret_cast<const std::byte*>(boxes), sizeof(*boxes), faces);
+    Lanes::gather(reinterpret_cast<const std::byte*>(boxes), sizeof(*boxes), kBoxes, faces);
     return lanes_.test(faces);
   }
 

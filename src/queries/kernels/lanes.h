@@ -44,7 +44,7 @@ std::uint32_t find_places(const BoxRow& row, std::uint32_t* places, const Test& 
   std::uint32_t found = 0;
   for (std::uint32_t first = 0; first < row.count; first += Lanes::kCount) {
     VectorOf<Lanes> faces[6];
-    Lanes::gather(row.first + first * row.step, row.step, faces);
+    Lanes::gather(row.first + first * row.step, row.step, row.count - first, faces);
     const std::uint32_t lanes = test(faces) & Lanes::lanes_below(row.count - first);
     found += Lanes::put_places(lanes, first, places + found);
   }
@@ -176,7 +176,7 @@ std::uint32_t find_near(const BoxRow& row, const NearNumbers& question, std::uin
   for (std::uint32_t first = 0; first < row.count; first += Lanes::kCount) {
     VectorOf<Lanes> faces[6];
     VectorOf<Lanes> square;
-    Lanes::gather(row.first + first * row.step, row.step, faces);
+    Lanes::gather(row.first + first * row.step, row.step, row.count - first, faces);
     std::uint32_t lanes = question_lanes.test(faces, square) & Lanes::lanes_below(row.count - first);
     for (; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<unsigned>(__builtin_ctz(lanes));

@@ -16,7 +16,7 @@ struct Avx2QueryLanes : LanesInOrder<8> {
   using Mask = __m256i;
   using Doubles = __m256d;
 
-  static void gather(const std::byte* boxes, std::size_t step, Vector (&faces)[6]) {
+  static void gather(const std::byte* boxes, std::size_t step, std::uint32_t /*there*/, Vector (&faces)[6]) {
     stream::gather_eight(reinterpret_cast<const Aabb*>(boxes), step, faces);
   }
   /// Of the numbers whose bits are set, none of them negative, the lane of the least, or of one that is not a

@@ -10,7 +10,7 @@ struct PortableQueryLanes : LanesInOrder<4> {
   using Mask [[gnu::vector_size(16)]] = std::int32_t;
   using Doubles [[gnu::vector_size(16)]] = double;
 
-  static void gather(const std::byte* boxes, std::size_t step, Vector (&faces)[6]) {
+  static void gather(const std::byte* boxes, std::size_t step, std::uint32_t /*there*/, Vector (&faces)[6]) {
     const auto number = [&](unsigned box, unsigned face) {
       return reinterpret_cast<const float*>(boxes + box * step)[face];
     };

@@ -67,8 +67,9 @@ class CopyList {
 }  // namespace
 
 CellBoxes new_cell(Arena& arena, std::size_t count, unsigned lanes) {
+  const std::size_t unit = std::min(lanes, kBoxesTogether);
   CellBoxes cell;
-  cell.capacity = static_cast<std::uint32_t>((count + count / 16 + lanes - 1) / lanes * lanes);
+  cell.capacity = static_cast<std::uint32_t>((count + count / 16 + unit - 1) / unit * unit);
   cell.boxes = arena.take<TaggedBox>(cell.capacity);
   return cell;
 }

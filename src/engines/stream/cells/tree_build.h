@@ -51,7 +51,7 @@ class TreeBuilder {
   bool collects_;
 };
 
-/// Room for `count` boxes and some more, in whole vectors of `lanes`.
+/// Room for `count` boxes and some more: as many as kernels with so many lanes read together.
 CellBoxes new_cell(Arena& arena, std::size_t count, unsigned lanes);
 
 }  // namespace cellsweep::stream

@@ -14,11 +14,12 @@
 namespace cellsweep::stream {
 namespace {
 
-/// `Lanes::kCount` boxes side by side, to be compared with one other at a time.
+/// `Lanes::kCount` boxes side by side, to be compared with one other at a time. At least one is `there`; of
+/// sixteen only the first eight are read where no more are.
 template <class Lanes>
 class Block {
  public:
-  explicit Block(const TaggedBox* boxes) { Lanes::gather(boxes, faces_); }
+  Block(const TaggedBox* boxes, std::uint32_t there) { Lanes::gather(boxes, there, faces_); }
 
   /// Which of them a box overlaps, a bit each.
   std::uint32_t hits(const Aabb& box) const {
@@ -80,7 +81,7 @@ void all_pairs(const CellBoxes& cell, std::uint32_t rows, KeyBuffer& found) {
   const std::uint32_t end_of_cell = cell.count;
   Hits hits[kStrip];
   for (std::uint32_t first = 0; first < end_of_cell; first += Lanes::kCount) {
-    const Block<Lanes> block(boxes + first);
+    const Block<Lanes> block(boxes + first, end_of_cell - first);
     const std::uint32_t there = lanes_below<Lanes>(end_of_cell - first);
     const std::uint32_t end = first + Lanes::kCount < rows ? first + Lanes::kCount : rows;
     for (std::uint32_t strip = 0; strip < end; strip += kStrip) {
@@ -101,7 +102,7 @@ void all_pairs(const CellBoxes& cell, std::uint32_t rows, KeyBuffer& found) {
 template <class Lanes>
 void partners(const CellBoxes& cell, const TaggedBox& box, KeyBuffer& slots) {
   for (std::uint32_t first = 0; first < cell.count; first += Lanes::kCount) {
-    const Block<Lanes> block(cell.boxes + first);
+    const Block<Lanes> block(cell.boxes + first, cell.count - first);
     make_room(slots, Lanes::kCount);
     std::uint32_t lanes = block.hits(box.box) & lanes_below<Lanes>(cell.count - first);
     for (; lanes != 0; lanes &= lanes - 1) {

@@ -16,7 +16,7 @@ struct Avx2Lanes {
   using Vector = __m256;
   using Mask = __m256;
 
-  static void gather(const TaggedBox* boxes, Vector (&faces)[6]) {
+  static void gather(const TaggedBox* boxes, std::uint32_t /*there*/, Vector (&faces)[6]) {
     gather_eight(&boxes->box, sizeof(TaggedBox), faces);
   }
   static Vector broadcast(const float* from) { return _mm256_broadcast_ss(from); }

@@ -16,11 +16,12 @@ struct Avx512Lanes {
   using Vector = __m512;
   using Mask = __mmask16;
 
-  static void gather(const TaggedBox* boxes, Vector (&faces)[6]) {
+  static void gather(const TaggedBox* boxes, std::uint32_t there, Vector (&faces)[6]) {
+    const TaggedBox* const others = boxes + (there > 8 ? 8 : 0);
     __m256 low[6];
     __m256 high[6];
     gather_eight(&boxes->box, sizeof(TaggedBox), low);
-    gather_eight(&boxes[8].box, sizeof(TaggedBox), high);
+    gather_eight(&others->box, sizeof(TaggedBox), high);
     for (unsigned face = 0; face < 6; ++face) {
       faces[face] = __builtin_shufflevector(low[face], high[face], 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
                                             13, 14, 15);

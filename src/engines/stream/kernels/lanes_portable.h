@@ -17,7 +17,7 @@ struct PortableLanes {
   };
   using Mask = std::uint32_t;
 
-  static void gather(const TaggedBox* boxes, Vector (&faces)[6]) {
+  static void gather(const TaggedBox* boxes, std::uint32_t /*there*/, Vector (&faces)[6]) {
     for (unsigned i = 0; i < kCount; ++i) {
       const float* const from = faces_of(boxes[i].box);
       for (unsigned axis = 0; axis < 3; ++axis) {

@@ -16,7 +16,7 @@ struct Sse41Lanes {
   using Vector = __m128;
   using Mask = __m128;
 
-  static void gather(const TaggedBox* boxes, Vector (&faces)[6]) {
+  static void gather(const TaggedBox* boxes, std::uint32_t /*there*/, Vector (&faces)[6]) {
     const auto half_of = [](const TaggedBox& box, std::size_t half) {
       return _mm_load_ps(reinterpret_cast<const float*>(&box) + 4 * half);
     };

@@ -26,7 +26,8 @@ using contract::Random;
 /// A cell with memory of its own.
 class TestCell {
  public:
-  explicit TestCell(std::uint32_t count) : memory_((count + kMaxLanes - 1) / kMaxLanes * kMaxLanes) {
+  explicit TestCell(std::uint32_t count)
+      : memory_((count + kBoxesTogether - 1) / kBoxesTogether * kBoxesTogether) {
     boxes_ = {memory_.data(), count, static_cast<std::uint32_t>(memory_.size())};
   }
   TestCell(const TestCell& other) : memory_(other.memory_), boxes_(other.boxes_) {
