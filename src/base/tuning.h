@@ -253,8 +253,8 @@ inline constexpr std::uint64_t kFewOfRounded = 4096;
 // --- candidates
 // -----------------------------------------------------------------------------------------------
 
-/// When fewer than one in so many bodies got a new box, candidates of two others are not tested. EPYC,
-/// uniform 10,000 and 100,000.
+/// When fewer than one in so many bodies got a new box, candidates of two others are not tested, but where
+/// they are among many that are. EPYC, uniform 10,000 and 100,000.
 inline constexpr std::size_t kFewFresh = 3;
 /// Candidates among which those with a new box are picked at a time. EPYC, uniform 10,000 and 100,000: with
 /// 64 and with 1,024 it takes the same.
