@@ -28,13 +28,14 @@ struct Contender {
   std::function<std::unique_ptr<btBroadphaseInterface>()> make;
 };
 
-std::unique_ptr<btBroadphaseInterface> make_stream(unsigned threads) {
+std::unique_ptr<btBroadphaseInterface> make_stream(unsigned threads, btScalar margin = 0) {
   auto made = cellsweep::make_broadphase(cellsweep::StreamOptions{.threads = threads});
-  return std::make_unique<CellsweepBroadphase>(std::move(*made));
+  return std::make_unique<CellsweepBroadphase>(std::move(*made), margin);
 }
 
 const Contender kContenders[] = {{"bullet_dbvt", [] { return std::make_unique<btDbvtBroadphase>(); }},
                                  {"stream_1", [] { return make_stream(1); }},
+                                 {"stream_1_margin", [] { return make_stream(1, gDbvtMargin); }},
                                  {"stream", [] { return make_stream(0); }}};
 
 /// The time of a row is the mean of what the broadphase takes in a frame. Boxes of bodies that fell for half

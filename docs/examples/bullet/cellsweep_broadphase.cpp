@@ -4,11 +4,14 @@
 
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "prefetch.h"
 #include "proxy_box.h"
 #include "ray_path.h"
+#include "roomy_box.h"
 
 using cellsweep::BodyFilter;
 using cellsweep::BodyId;
@@ -23,12 +26,16 @@ bool is_same(const btVector3& one, const btVector3& other) {
 
 }  // namespace
 
-CellsweepBroadphase::CellsweepBroadphase(cellsweep::Broadphase broadphase)
-    : broadphase_(std::move(broadphase)) {}
+CellsweepBroadphase::CellsweepBroadphase(cellsweep::Broadphase broadphase, btScalar margin)
+    : broadphase_(std::move(broadphase)), margin_(margin) {
+  if (!(margin >= 0 && std::isfinite(margin)))
+    throw std::invalid_argument("margin " + std::to_string(margin) + ": a length of at least 0");
+}
 
 Proxy& CellsweepBroadphase::take_proxy() {
   if (free_.empty()) {
     bodies_.resize(proxies_.size() + 1);
+    if (margin_ > 0) told_.resize(bodies_.size());
     make_room_for(bodies_.capacity());
     return proxies_.add();
   }
@@ -78,7 +85,11 @@ void CellsweepBroadphase::setAabb(btBroadphaseProxy* base, const btVector3& aabb
   proxy.m_aabbMin = aabb_min;
   proxy.m_aabbMax = aabb_max;
   Body& body = bodies_[id];
-  if (body.is_told) moved_.put(id, box_of(aabb_min, aabb_max), body.place);
+  if (!body.is_told) return;
+  if (margin_ == 0) return moved_.put(id, box_of(aabb_min, aabb_max), body.place);
+  if (!moved_.has(id, body.place) && holds(told_[id], aabb_min, aabb_max)) return;
+  told_[id] = with_room(aabb_min, aabb_max, margin_);
+  moved_.put(id, told_[id], body.place);
 }
 
 bool CellsweepBroadphase::has_moved(BodyId id) const {
@@ -236,7 +247,10 @@ Status CellsweepBroadphase::tell_created() {
   }
   Status status = broadphase_.insert(ids_, boxes_, filters_);
   if (!status.ok()) return status;
-  for (const BodyId id : ids_) bodies_[id].is_told = true;
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    bodies_[ids_[i]].is_told = true;
+    if (margin_ > 0) told_[ids_[i]] = boxes_[i];
+  }
   created_.clear();
   return status;
 }

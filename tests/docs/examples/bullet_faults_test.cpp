@@ -24,7 +24,7 @@ void* memory_for_bullet(std::size_t bytes, int alignment) {
 /// Boxes in a row, each of which overlaps the next.
 class Row {
  public:
-  Row() {
+  explicit Row(btScalar margin) : broadphase_({}, margin) {
     proxies_.reserve(200);  // for all that tests create: the list's own memory does not fail either
     for (int i = 0; i < 40; ++i) create();
   }
@@ -71,7 +71,8 @@ class Row {
   int next_ = 0;
 };
 
-class BulletBroadphaseStarved : public testing::Test {
+/// With a margin that is too small for more pairs, and without.
+class BulletBroadphaseStarved : public testing::TestWithParam<float> {
  protected:
   BulletBroadphaseStarved() { btAlignedAllocSetCustomAligned(memory_for_bullet, std::free); }
   ~BulletBroadphaseStarved() override { btAlignedAllocSetCustomAligned(nullptr, nullptr); }
@@ -81,7 +82,7 @@ class BulletBroadphaseStarved : public testing::Test {
   std::uint64_t starve(const Call& call) {
     std::optional<Row> row;
     const auto begin = [&] {
-      row.emplace();
+      row.emplace(GetParam());
       EXPECT_TRUE(row->find_pairs().ok());
     };
     const auto look = [&](bool) { return row->find_pairs().ok() && row->pairs() == row->overlaps(); };
@@ -90,7 +91,7 @@ class BulletBroadphaseStarved : public testing::Test {
   }
 };
 
-TEST_F(BulletBroadphaseStarved, AddsAProxyOrNone) {
+TEST_P(BulletBroadphaseStarved, AddsAProxyOrNone) {
   EXPECT_GT(starve([](Row& row) {
               for (int i = 0; i < 100; ++i) row.create();
               return Status();
@@ -98,7 +99,7 @@ TEST_F(BulletBroadphaseStarved, AddsAProxyOrNone) {
             3);
 }
 
-TEST_F(BulletBroadphaseStarved, MovesAndForgetsProxiesWithoutAskingForMemory) {
+TEST_P(BulletBroadphaseStarved, MovesAndForgetsProxiesWithoutAskingForMemory) {
   EXPECT_EQ(starve([](Row& row) {
               row.move_all();
               row.destroy();
@@ -108,7 +109,7 @@ TEST_F(BulletBroadphaseStarved, MovesAndForgetsProxiesWithoutAskingForMemory) {
             0);
 }
 
-TEST_F(BulletBroadphaseStarved, FindsPairsWhenItIsAskedAgain) {
+TEST_P(BulletBroadphaseStarved, FindsPairsWhenItIsAskedAgain) {
   EXPECT_GT(starve([](Row& row) {
               row.create();
               row.move_all();
@@ -117,6 +118,9 @@ TEST_F(BulletBroadphaseStarved, FindsPairsWhenItIsAskedAgain) {
             }),
             3);
 }
+
+INSTANTIATE_TEST_SUITE_P(Margins, BulletBroadphaseStarved, testing::Values(0.0F, 0.01F),
+                         [](const auto& of) { return of.param > 0 ? "Some" : "None"; });
 
 }  // namespace
 }  // namespace cellsweep::contract

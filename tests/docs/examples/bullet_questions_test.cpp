@@ -20,8 +20,8 @@ constexpr int kRounds = 4000;
 /// Proxies that come, move and go, and a broadphase that may refuse to follow.
 class Crowd {
  public:
-  explicit Crowd(cellsweep::StreamOptions options)
-      : broadphase_(std::move(*cellsweep::make_broadphase(options))) {}
+  explicit Crowd(cellsweep::StreamOptions options, btScalar margin = 0)
+      : broadphase_(std::move(*cellsweep::make_broadphase(options)), margin) {}
 
   CellsweepBroadphase& broadphase() { return broadphase_; }
   const BulletProxies& there() const { return there_; }
@@ -32,6 +32,9 @@ class Crowd {
   }
   void move(std::size_t which, const btVector3& low, const btVector3& high) {
     broadphase_.setAabb(proxy(which), low, high, nullptr);
+  }
+  void nudge(std::size_t which, const btVector3& by) {
+    move(which, there_[which]->m_aabbMin + by, there_[which]->m_aabbMax + by);
   }
   void destroy(std::size_t which) {
     broadphase_.destroyProxy(proxy(which), nullptr);
@@ -49,9 +52,11 @@ class Crowd {
   BulletProxies there_;
 };
 
+class BulletQuestionsWithMargin : public testing::TestWithParam<float> {};
+
 // Too many pairs are refused when all has been told, and an infinite box in the midst of it.
-TEST(BulletQuestions, AreAnsweredFromTheBoxesAsTheyAreWhateverWasToldSeenOrRefused) {
-  Crowd crowd({.max_pairs = 60});
+TEST_P(BulletQuestionsWithMargin, AreAnsweredFromTheBoxesAsTheyAreWhateverWasToldSeenOrRefused) {
+  Crowd crowd({.max_pairs = 60}, GetParam());
   BulletQuestions questions(3);
   const auto place = [&] {
     return btVector3(questions.between(-5, 5), questions.between(-5, 5), questions.between(-5, 5));
@@ -70,8 +75,10 @@ TEST(BulletQuestions, AreAnsweredFromTheBoxesAsTheyAreWhateverWasToldSeenOrRefus
           crowd.create(low, high);
           break;
         case 1:
-        case 2:
           crowd.move(which, low, high);
+          break;
+        case 2:
+          crowd.nudge(which, (low + high) / 40);
           break;
         default:
           crowd.destroy(which);
@@ -87,8 +94,8 @@ TEST(BulletQuestions, AreAnsweredFromTheBoxesAsTheyAreWhateverWasToldSeenOrRefus
 }
 
 // Aimed at corners from far away, where a rounding decides.
-TEST(BulletQuestions, LoseNothingThatARayGrazes) {
-  Crowd crowd({});
+TEST_P(BulletQuestionsWithMargin, LoseNothingThatARayGrazes) {
+  Crowd crowd({}, GetParam());
   BulletQuestions questions(7);
   const auto place = [&](btScalar far) {
     return btVector3(questions.between(-far, far), questions.between(-far, far),
@@ -114,6 +121,9 @@ TEST(BulletQuestions, LoseNothingThatARayGrazes) {
     ASSERT_TRUE(is_answered(crowd.broadphase(), crowd.there(), ray)) << "ray " << i;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Margins, BulletQuestionsWithMargin, testing::Values(0.0F, 0.5F),
+                         [](const auto& of) { return of.param > 0 ? "Half" : "None"; });
 
 /// Six boxes in a row, each two behind the one before.
 class RowOfBullet : public testing::Test {

@@ -6,11 +6,14 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <random>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +35,14 @@ ClientPair clients_of(const btBroadphasePair& pair) {
   return std::minmax<const void*>(pair.m_pProxy0->m_clientObject, pair.m_pProxy1->m_clientObject);
 }
 
-/// All pairs whose boxes overlap.
+std::set<ClientPair> listed_pairs_of(btBroadphaseInterface& broadphase) {
+  std::set<ClientPair> pairs;
+  for (int i = 0; i < broadphase.getOverlappingPairCache()->getNumOverlappingPairs(); ++i)
+    pairs.insert(clients_of(broadphase.getOverlappingPairCache()->getOverlappingPairArrayPtr()[i]));
+  return pairs;
+}
+
+/// All of them whose boxes overlap.
 std::set<ClientPair> pairs_of(btBroadphaseInterface& broadphase) {
   std::set<ClientPair> pairs;
   for (int i = 0; i < broadphase.getOverlappingPairCache()->getNumOverlappingPairs(); ++i) {
@@ -85,6 +95,65 @@ class Shadow {
   std::map<const btRigidBody*, btBroadphaseProxy*> proxies_;
 };
 
+/// The boxes that a broadphase with a margin goes by, as its documentation says, and which of them overlap.
+class RoomyBoxes {
+ public:
+  explicit RoomyBoxes(btScalar margin) : margin_(margin, margin, margin) {}
+
+  void follow(const BulletWorld& world) {
+    std::map<const void*, Box> boxes;
+    for (const auto& body : world.bodies()) {
+      const btBroadphaseProxy& proxy = *body->getBroadphaseProxy();
+      const auto known = boxes_.find(proxy.m_clientObject);
+      Box box = known != boxes_.end() ? known->second : Box{&proxy, proxy.m_aabbMin, proxy.m_aabbMax};
+      if (!is_inside(proxy, box)) box = {&proxy, proxy.m_aabbMin - margin_, proxy.m_aabbMax + margin_};
+      boxes.insert_or_assign(proxy.m_clientObject, box);
+    }
+    boxes_ = std::move(boxes);
+  }
+
+  std::set<ClientPair> pairs() const {
+    std::set<ClientPair> pairs;
+    for (auto one = boxes_.begin(); one != boxes_.end(); ++one) {
+      for (auto other = boxes_.begin(); other != one; ++other) {
+        const Box& a = one->second;
+        const Box& b = other->second;
+        if (may_meet(*a.proxy, *b.proxy) && TestAabbAgainstAabb2(a.low, a.high, b.low, b.high))
+          pairs.insert({other->first, one->first});
+      }
+    }
+    return pairs;
+  }
+
+ private:
+  struct Box {
+    const btBroadphaseProxy* proxy;
+    btVector3 low;
+    btVector3 high;
+  };
+
+  static bool is_inside(const btBroadphaseProxy& proxy, const Box& box) {
+    btVector3 low = box.low;
+    btVector3 high = box.high;
+    low.setMin(proxy.m_aabbMin);
+    high.setMax(proxy.m_aabbMax);
+    return low == box.low && high == box.high;
+  }
+  static bool may_meet(const btBroadphaseProxy& one, const btBroadphaseProxy& other) {
+    return (one.m_collisionFilterGroup & other.m_collisionFilterMask) != 0 &&
+           (other.m_collisionFilterGroup & one.m_collisionFilterMask) != 0;
+  }
+
+  btVector3 margin_;
+  std::map<const void*, Box> boxes_;
+};
+
+constexpr btScalar kMargin = 0.05F;
+
+std::unique_ptr<CellsweepBroadphase> make_ours(btScalar margin) {
+  return std::make_unique<CellsweepBroadphase>(cellsweep::Broadphase(), margin);
+}
+
 class WorldOfBullet : public testing::TestWithParam<std::string> {};
 
 #ifdef CELLSWEEP_SANITIZED_TESTS
@@ -124,6 +193,25 @@ TEST_P(WorldOfBullet, HasThePairsThatBulletsTreeFindsThroughAThousandFrames) {
   EXPECT_GT(seen, static_cast<std::size_t>(3 * kFrames));
 }
 
+TEST_P(WorldOfBullet, HasThePairsOfBoxesWithRoomWhereThereIsAMargin) {
+  BulletWorld world(GetParam(), 120, make_ours(kMargin));
+  RoomyBoxes boxes(kMargin);
+  std::mt19937 random(6);
+  std::size_t apart = 0;
+  for (int frame = 0; frame < kFrames / 2; ++frame) {
+    if (frame % 3 == 0) world.spawn_cube();
+    if (frame % 3 == 1) world.remove(random() % world.bodies().size());
+    world.step();
+    ASSERT_TRUE(static_cast<CellsweepBroadphase&>(world.broadphase()).status().ok());
+    boxes.follow(world);
+    const std::set<ClientPair> overlapping = pairs_of(world.broadphase());
+    const std::set<ClientPair> listed = listed_pairs_of(world.broadphase());
+    ASSERT_EQ(listed, boxes.pairs()) << "frame " << frame;
+    apart += listed.size() - overlapping.size();
+  }
+  EXPECT_GT(apart, static_cast<std::size_t>(kFrames / 10)) << "of pairs that do not overlap";
+}
+
 BulletProxies proxies_of(const BulletWorld& world) {
   BulletProxies proxies;
   for (const auto& body : world.bodies()) proxies.push_back(body->getBroadphaseProxy());
@@ -132,7 +220,7 @@ BulletProxies proxies_of(const BulletWorld& world) {
 
 // After bodies came and went, after all boxes were given anew, and after the pairs were found.
 TEST_P(WorldOfBullet, AnswersQuestionsAsALoopDoesAtAnyTime) {
-  BulletWorld world(GetParam(), 120, std::make_unique<CellsweepBroadphase>());
+  BulletWorld world(GetParam(), 120, make_ours(GetParam() == "level" ? kMargin : 0));
   BulletQuestions questions(11);
   for (int frame = 0; frame < kFrames / 2; ++frame) {
     if (frame % 3 == 0) world.spawn_cube();
@@ -284,6 +372,53 @@ TEST_F(ProxiesOfBullet, AreFoundByABox) {
   Listing listing;
   broadphase_.aabbTest({2, 0, 0}, {5, 1, 1}, listing);
   EXPECT_THAT(listing.clients, testing::UnorderedElementsAre(clients_[1].get(), clients_[2].get()));
+}
+
+TEST(BulletBroadphase, RefusesAMarginThatIsNoLength) {
+  constexpr btScalar kLimits[] = {-1, std::numeric_limits<btScalar>::infinity(),
+                                  std::numeric_limits<btScalar>::quiet_NaN()};
+  for (const btScalar margin : kLimits) EXPECT_THROW(make_ours(margin), std::invalid_argument) << margin;
+}
+
+// What was refused may have room for everything.
+TEST(BulletBroadphase, ABoxThatWasRefusedIsForgottenForTheNextOneWhateverItsRoom) {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  const auto broadphase = make_ours(kMargin);
+  btBroadphaseProxy* const proxy =
+      broadphase->createProxy({0, 0, 0}, {1, 1, 1}, BOX_SHAPE_PROXYTYPE, nullptr, 1, -1, &dispatcher);
+  broadphase->calculateOverlappingPairs(&dispatcher);
+  broadphase->setAabb(proxy, {0, 0, 0}, {1, 1, HUGE_VALF}, &dispatcher);
+  broadphase->calculateOverlappingPairs(&dispatcher);
+  EXPECT_FALSE(broadphase->status().ok());
+  broadphase->setAabb(proxy, {0, 0, 0}, {1, 1, 2}, &dispatcher);
+  broadphase->calculateOverlappingPairs(&dispatcher);
+  EXPECT_TRUE(broadphase->status().ok()) << broadphase->status().message;
+}
+
+TEST(BulletBroadphase, AProxyHasNoRoomFromTheOneBeforeInItsPlace) {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  const auto broadphase = make_ours(kMargin);
+  const auto add = [&](btScalar x) {
+    return broadphase->createProxy({x, 0, 0}, {x + 1, 1, 1}, 0, nullptr, 1, -1, &dispatcher);
+  };
+  const auto move = [&](btBroadphaseProxy* proxy, btScalar x) {
+    broadphase->setAabb(proxy, {x, 0, 0}, {x + 1, 1, 1}, &dispatcher);
+    broadphase->calculateOverlappingPairs(&dispatcher);
+  };
+  add(20);
+  btBroadphaseProxy* const gone = add(0);
+  broadphase->calculateOverlappingPairs(&dispatcher);
+  move(gone, 20);
+  broadphase->destroyProxy(gone, &dispatcher);
+  broadphase->calculateOverlappingPairs(&dispatcher);
+  btBroadphaseProxy* const next = add(10);
+  ASSERT_EQ(next, gone);
+  broadphase->calculateOverlappingPairs(&dispatcher);
+  EXPECT_EQ(broadphase->getOverlappingPairCache()->getNumOverlappingPairs(), 0);
+  move(next, 20);
+  EXPECT_EQ(broadphase->getOverlappingPairCache()->getNumOverlappingPairs(), 1);
 }
 
 TEST(BulletBroadphase, ARefusalLeavesThePairsAndTheNextStepTakesUpWhatWasNotHeard) {
