@@ -1,11 +1,10 @@
 /// @file
-/// Whole frames of Bullet's worlds: what the broadphase takes of them, Bullet's own tree beside `stream`.
-#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+/// Whole frames of Bullet's worlds: what the broadphase takes of them, and of questions, Bullet's own tree
+/// beside `stream`.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -14,29 +13,15 @@
 #include <vector>
 
 #include "bench/bullet/bullet_world.h"
+#include "bench/bullet/contenders.h"
+#include "bench/bullet/question_rows.h"
 #include "bench/bullet/timed_broadphase.h"
 #include "bench/context.h"
-#include "cellsweep_broadphase.h"
 #include "report/quantile.h"
 
 namespace {
 
 using namespace cellsweep::bench;
-
-struct Contender {
-  std::string_view name;
-  std::function<std::unique_ptr<btBroadphaseInterface>()> make;
-};
-
-std::unique_ptr<btBroadphaseInterface> make_stream(unsigned threads, btScalar margin = 0) {
-  auto made = cellsweep::make_broadphase(cellsweep::StreamOptions{.threads = threads});
-  return std::make_unique<CellsweepBroadphase>(std::move(*made), margin);
-}
-
-const Contender kContenders[] = {{"bullet_dbvt", [] { return std::make_unique<btDbvtBroadphase>(); }},
-                                 {"stream_1", [] { return make_stream(1); }},
-                                 {"stream_1_margin", [] { return make_stream(1, gDbvtMargin); }},
-                                 {"stream", [] { return make_stream(0); }}};
 
 /// The time of a row is the mean of what the broadphase takes in a frame. Boxes of bodies that fell for half
 /// a second are on their way; later all have come to rest.
@@ -68,7 +53,7 @@ void run_row(benchmark::State& state, std::string_view scene, std::size_t bodies
 void register_rows() {
   for (const BulletScene& scene : kBulletScenes) {
     for (const std::size_t bodies : {std::size_t{1'000}, std::size_t{5'000}, std::size_t{20'000}}) {
-      for (const Contender& contender : kContenders) {
+      for (const Contender& contender : contenders()) {
         const std::string name = "bullet/" + std::string(scene.name) + "/" + std::to_string(bodies) + "/" +
                                  std::string(contender.name);
         benchmark::RegisterBenchmark(name.c_str(),
@@ -97,6 +82,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   add_context();
   register_rows();
+  register_questions();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }
