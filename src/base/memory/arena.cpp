@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/tuning.h"
+
 namespace cellsweep {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr std::size_t kLargestStep = std::size_t{8} << 20;
 /// are no more than that.
 std::size_t next_step(std::size_t held) {
   const std::size_t least = held < kHugePage ? kFirstChunk : kHugePage;
-  return std::clamp(held / 16, least, kLargestStep);
+  return std::clamp(held / tuning::kPartsOfStep, least, kLargestStep);
 }
 
 std::size_t round_up(std::size_t bytes, std::size_t unit) {

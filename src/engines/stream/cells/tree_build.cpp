@@ -69,7 +69,8 @@ class CopyList {
 CellBoxes new_cell(Arena& arena, std::size_t count, unsigned lanes) {
   const std::size_t unit = std::min(lanes, kBoxesTogether);
   CellBoxes cell;
-  cell.capacity = static_cast<std::uint32_t>((count + count / 16 + unit - 1) / unit * unit);
+  cell.capacity =
+      static_cast<std::uint32_t>((count + count / tuning::kBoxesOfSpare + unit - 1) / unit * unit);
   cell.boxes = arena.take<TaggedBox>(cell.capacity);
   return cell;
 }

@@ -34,6 +34,8 @@ class CandidateList {
 
   /// After replace(), while nobody asked for pairs(): what it was given.
   KeyParts found() const { return found_; }
+  /// Sorts it, if nobody asked for that yet.
+  void sort_found(Crew& crew);
 
   /// After replace(): sorts them a part at a time. begin_sort() takes a third of all that it takes, or does
   /// all of it where they are few; then sort_until() goes on until a share, 0 to 1, of the rest is done. True
@@ -66,7 +68,6 @@ class CandidateList {
   std::size_t bytes() const;
 
  private:
-  void sort_found(Crew& crew);
   void list_pairs_of(Crew& crew, const std::uint8_t* changed, Array<SlotPair>& listed) const;
 
   std::vector<std::span<const std::uint64_t>> found_;  // the pairs, when they have not been sorted yet

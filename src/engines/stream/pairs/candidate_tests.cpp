@@ -139,7 +139,7 @@ void test_all_blocks(const Run& run, const Aabb* boxes, TestOutput& output) {
 }
 
 /// Tests those with a fresh box. Which these are nobody can foretell: a list of them is made without a
-/// branch. Where it has most of them, all are tested, which takes less for each.
+/// branch. Where it has many of them, all are tested, which takes less for each.
 void test_fresh(const Run& run, const TestedBoxes& tested, TestOutput& output) {
   constexpr std::size_t kRoom = tuning::kRun + tuning::kAhead;
   std::array<std::uint16_t, kRoom> picked;  // NOLINT(*-member-init): written before it is read
@@ -149,7 +149,7 @@ void test_fresh(const Run& run, const TestedBoxes& tested, TestOutput& output) {
     picked[count] = static_cast<std::uint16_t>(i);
     count += (tested.fresh[pair.a] | tested.fresh[pair.b]) != 0 ? 1 : 0;
   }
-  if (2 * count > run.count) return test_all_blocks(run, tested.boxes, output);
+  if (tuning::kTestsOfPicked * count > run.count) return test_all_blocks(run, tested.boxes, output);
   // And those behind the run, whose boxes are on their way then.
   const std::size_t last = run.candidates.size() - 1;
   for (std::size_t k = 0; k < tuning::kAhead; ++k)

@@ -14,8 +14,7 @@ void Overlaps::set_aside(const BodyChanges& changes) {
     marks_.keep();
   }
   marks_say_ = Marks::true_of_it;
-  list_.take(crew_, room_, before_list_);
-  before_ = std::as_const(before_list_).view();
+  list_.take(crew_, room_, before_);
 }
 
 void Overlaps::replace(KeyParts found, bool are_pairs) {
@@ -24,14 +23,15 @@ void Overlaps::replace(KeyParts found, bool are_pairs) {
 }
 
 bool Overlaps::are_in_order(const BodyChanges& changes) const {
-  return !are_pairs_ || !before_.empty() || changes.ids_ascend;
+  return !are_pairs_ || before_.size() > 0 || changes.ids_ascend;
 }
 
 FoundPairs Overlaps::compare(const BodyChanges& changes) {
   marks_say_ = are_pairs_ ? Marks::all_overlap : Marks::true_of_it;
   if (!are_in_order(changes)) return {.more_began = list_.found()};
   const std::span<const SlotPair> now = list_.pairs(crew_, room_);
-  const std::span<const SlotPair> before = std::exchange(before_, {});
+  const std::span<const SlotPair> before = std::as_const(before_).view();
+  before_.shrink(0);
   if (are_pairs_ && before.empty()) return {.began = now};
   if (are_pairs_ && were_pairs_) {
     find_changes<SlotPair>(before, now, {}, room_.one, room_.other);
@@ -146,7 +146,6 @@ void Overlaps::clear() {
   few_ = {};
   fresh_ = Vector<std::uint8_t>();
   room_ = {};
-  before_list_ = {};
   before_ = {};
   are_pairs_ = true;
   marks_say_ = Marks::all_overlap;
@@ -157,7 +156,7 @@ void Overlaps::give_back() {
   marks_.give_back();
   few_ = {};
   room_ = {};
-  before_list_ = {};
+  before_ = {};
   ended_ = {};
 }
 
@@ -178,8 +177,8 @@ void Overlaps::grow_fresh(const BodyChanges& changes) {
 }
 
 std::size_t Overlaps::bytes() const {
-  return list_.bytes() + prepared_.bytes() + marks_.bytes() + few_.bytes() + room_.bytes() +
-         before_list_.bytes() + ended_.bytes() + fresh_.capacity();
+  return list_.bytes() + prepared_.bytes() + marks_.bytes() + few_.bytes() + room_.bytes() + before_.bytes() +
+         ended_.bytes() + fresh_.capacity();
 }
 
 }  // namespace cellsweep::stream

@@ -38,14 +38,14 @@ class Overlaps {
   /// Whether that is a list in the order of slots; the first pairs of all are not put in it, when they will
   /// have to be sorted by ids.
   bool are_in_order(const BodyChanges& changes) const;
-  void put_in_order() { list_.pairs(crew_, room_); }
+  void put_in_order() { list_.sort_found(crew_); }
 
   /// Candidates for later, those of `found`, in buckets; sort_prepared() sorts them until a share, 0 to 1, is
   /// in order, and returns whether all is. Between set_aside() and compare(), use_prepared() puts them in the
   /// place of those that there are.
   void prepare(KeyParts found) {
     prepared_.replace(found);
-    prepared_.begin_sort(crew_, before_list_);
+    prepared_.begin_sort(crew_, before_);
   }
   bool sort_prepared(double share) { return prepared_.sort_until(crew_, share); }
   void use_prepared() { std::swap(list_, prepared_); }
@@ -100,12 +100,11 @@ class Overlaps {
   PairsOfFew few_;
   bool are_pairs_ = true;  // all candidates
   Marks marks_say_ = Marks::all_overlap;
-  PairRoom room_;                     // what an update found is here at its end
-  Array<SlotPair> before_list_;       // the candidates that were replaced,
-  std::span<const SlotPair> before_;  // until they were compared with those now,
-  bool were_pairs_ = false;           // all of which overlapped
-  Array<SlotPair> ended_;             // when nobody was left
-  Vector<std::uint8_t> fresh_;        // by slot, 0 between updates
+  PairRoom room_;
+  Array<SlotPair> before_;      // the candidates that were replaced, until they were compared with those now,
+  bool were_pairs_ = false;     // all of which overlapped
+  Array<SlotPair> ended_;       // when nobody was left
+  Vector<std::uint8_t> fresh_;  // by slot, 0 between updates
   std::uint64_t tests_ = 0;
 };
 

@@ -10,7 +10,8 @@
 namespace cellsweep::stream {
 
 /// Two lists as long as the candidates, for whoever needs some at the time: each may write over what the last
-/// one left there.
+/// one left there. What an update found lies there at its end, so that what goes on behind that for later
+/// updates must not be given it.
 struct PairRoom {
   Array<SlotPair> one;
   Array<SlotPair> other;
