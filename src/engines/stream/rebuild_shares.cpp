@@ -5,17 +5,25 @@
 
 namespace cellsweep::stream {
 
+// What comes before the cells is done in the first half, and cells take half of all updates at least:
+// whatever the clock says, no update of three compares more boxes than two thirds of all cells have.
+bool RebuildShares::is_late(RebuildStage stage, double due) {
+  return stage < kCells && due > 0.5;
+}
+
 double RebuildShares::due_of(RebuildStage stage, double due) const {
+  if (is_late(stage, due)) return 1;
   const double before = done_[stage - 1];
-  return std::clamp((due - before) / (done_[stage] - before), 0.0, 1.0);
+  const double share = done_[stage] - before;
+  if (stage == kCells) return std::clamp((due - std::min(before, 0.5)) / std::max(share, 0.5), 0.0, 1.0);
+  const double done = std::clamp((due - before) / share, 0.0, 1.0);
+  return stage < kCells ? done : std::min(done, due_of(static_cast<RebuildStage>(stage - 1), due));
 }
 
 // Half of what is learnt is new. A stage in which the system took the core away counts for little more than
-// before. Whatever the clock says, no update of three compares more boxes than two thirds of all cells have,
-// and all stages get some.
+// before, and all stages get some.
 void RebuildShares::learn() {
   constexpr double kLeast = 0.01;
-  constexpr double kLeastOfCells = 0.5;
   constexpr double kMost = 0.9;
   constexpr double kMoreAtMost = 0.1;
   const double all = std::accumulate(seconds_.begin(), seconds_.end(), 0.0);
@@ -24,12 +32,10 @@ void RebuildShares::learn() {
   for (int stage = kFatBoxes; stage <= kAll; ++stage) {
     const double before = done_[stage] - done_[stage - 1];
     const double most = std::min(before + kMoreAtMost, kMost);
-    const double least = stage == kCells ? kLeastOfCells : kLeast;
-    shares[stage] = std::max(std::min((before + seconds_[stage] / all) / 2, most), least);
+    shares[stage] = std::max(std::min((before + seconds_[stage] / all) / 2, most), kLeast);
   }
-  const double of_others = std::accumulate(shares.begin(), shares.end(), -shares[kCells]);
-  for (int stage = kFatBoxes; stage <= kAll; ++stage)
-    if (stage != kCells) shares[stage] *= (1 - shares[kCells]) / of_others;
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (double& share : shares) share /= sum;
   std::partial_sum(shares.begin(), shares.end(), done_.begin());
   done_.back() = 1;
 }

@@ -15,7 +15,9 @@ class RebuildShares {
  public:
   /// Where so much of the work is due, 0 to 1: whether a stage is, that is not cut. It is done in the update
   /// that has more than half of it to do.
-  bool is_due(RebuildStage stage, double due) const { return (done_[stage - 1] + done_[stage]) / 2 <= due; }
+  bool is_due(RebuildStage stage, double due) const {
+    return (done_[stage - 1] + done_[stage]) / 2 <= due || is_late(stage, due);
+  }
   /// How much of a stage is, 0 to 1.
   double due_of(RebuildStage stage, double due) const;
 
@@ -28,6 +30,8 @@ class RebuildShares {
 
  private:
   using Stages = std::array<double, kAll + 1>;
+
+  static bool is_late(RebuildStage stage, double due);
 
   Stages done_ = {0, 0, 0.15, 0.25, 0.33, 0.83, 0.89, 1};  // EPYC, uniform 10,000 to 100,000
   Stages seconds_{};                                       // that each stage took in this rebuild

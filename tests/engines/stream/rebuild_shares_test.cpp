@@ -44,6 +44,18 @@ TEST(RebuildShares, MakeEachUpdateDoAsMuch) {
   }
 }
 
+// Cells take half of all updates nevertheless.
+TEST(RebuildShares, MakeEachUpdateOfThreeDoNearlyAsMuchWhereCellsTakeLittle) {
+  for (const Seconds& seconds :
+       {Seconds{6, 3, 3, 4, 1, 2}, Seconds{3, 1, 2, 3, 1, 1}, Seconds{5, 2, 2, 1, 2, 2}}) {
+    RebuildShares shares;
+    learn(shares, seconds, 50);
+    const double all = seconds_of(shares, seconds, 0, 1);
+    for (int update = 0; update < 3; ++update)
+      EXPECT_LT(seconds_of(shares, seconds, update / 3.0, (update + 1) / 3.0) / all, 1.3 / 3) << update;
+  }
+}
+
 TEST(RebuildShares, HaveAllStagesDueInTheirOrderAndInTheEnd) {
   RebuildShares shares;
   for (const Seconds& seconds : {Seconds{}, Seconds{0, 0, 0, 7, 0, 0}, Seconds{0, 0, 0, 0, 7, 7},
@@ -66,7 +78,8 @@ TEST(RebuildShares, HaveAllStagesDueInTheirOrderAndInTheEnd) {
 
 TEST(RebuildShares, LeaveNoUpdateWithMostOfTheCellsWhateverTheClockSays) {
   for (const Seconds& seconds :
-       {Seconds{1, 1, 1, 0, 1, 1}, Seconds{0, 0, 0, 1, 0, 0}, Seconds{1e9, 0, 0, 0, 0}}) {
+       {Seconds{1, 1, 1, 0, 1, 1}, Seconds{0, 0, 0, 1, 0, 0}, Seconds{1e9, 0, 0, 0, 0},
+        Seconds{1, 0, 0, 0, 0, 1}, Seconds{0, 0, 0, 0, 0, 1e9}}) {
     RebuildShares shares;
     learn(shares, seconds, 20);
     for (double due = 0.25; due <= 1; due += 0.05)
