@@ -5,8 +5,8 @@
 namespace cellsweep::bench {
 
 /// Rows `bullet/rays/...` and `bullet/boxes/...`: the time of one question, and how many proxies it met, in a
-/// pile of 20,000 cubes that fell for half a second. Bullet's btSimpleBroadphase, which looks at all boxes,
-/// is beside the contenders.
+/// pile of 20,000 cubes that fell for half a second. A ray goes from one point of the pile to another, a box
+/// is four wide. What is made for the first question is in the time.
 void register_questions();
 
 }  // namespace cellsweep::bench

@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
+#include "fat_box.h"
 #include "prefetch.h"
 #include "proxy_box.h"
 #include "ray_path.h"
-#include "roomy_box.h"
 
 using cellsweep::BodyFilter;
 using cellsweep::BodyId;
@@ -88,7 +88,7 @@ void CellsweepBroadphase::setAabb(btBroadphaseProxy* base, const btVector3& aabb
   if (!body.is_told) return;
   if (margin_ == 0) return moved_.put(id, box_of(aabb_min, aabb_max), body.place);
   if (!moved_.has(id, body.place) && holds(told_[id], aabb_min, aabb_max)) return;
-  told_[id] = with_room(aabb_min, aabb_max, margin_);
+  told_[id] = fat_box_of(aabb_min, aabb_max, margin_);
   moved_.put(id, told_[id], body.place);
 }
 

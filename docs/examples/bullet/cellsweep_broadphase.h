@@ -25,10 +25,10 @@
 /// cache has a filter callback, that decides alone, as in Bullet's own broadphases. Filters are read when a
 /// proxy is made: btCollisionWorld::refreshBroadphaseProxy() makes it anew.
 ///
-/// With a margin, a length, a body that moves gets so much room on each side, and nothing is done for it
-/// while its box stays in there. Pairs are then those whose boxes with their room overlap: all that there
-/// were without, and some that only come near. Bullet's own tree goes about it like this, with a margin of
-/// 0.05. Where bodies tremble a step takes a third of the time; a pile has twice the pairs.
+/// With a margin, a length, a body that moves gets a fat box, larger by so much on each side, and nothing is
+/// done for it while it stays in there. Pairs are then those whose fat boxes overlap: all that there were
+/// without, and some that only come near. Bullet's own tree goes about it like this, with a margin of 0.05.
+/// Where bodies tremble a step takes a third of the time; a pile has twice the pairs.
 ///
 /// One thread at a time, like the world that it belongs to; inside, `stream` may use more.
 class CellsweepBroadphase final : public btBroadphaseInterface {

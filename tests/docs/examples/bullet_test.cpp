@@ -96,9 +96,9 @@ class Shadow {
 };
 
 /// The boxes that a broadphase with a margin goes by, as its documentation says, and which of them overlap.
-class RoomyBoxes {
+class FatBoxes {
  public:
-  explicit RoomyBoxes(btScalar margin) : margin_(margin, margin, margin) {}
+  explicit FatBoxes(btScalar margin) : margin_(margin, margin, margin) {}
 
   void follow(const BulletWorld& world) {
     std::map<const void*, Box> boxes;
@@ -193,9 +193,9 @@ TEST_P(WorldOfBullet, HasThePairsThatBulletsTreeFindsThroughAThousandFrames) {
   EXPECT_GT(seen, static_cast<std::size_t>(3 * kFrames));
 }
 
-TEST_P(WorldOfBullet, HasThePairsOfBoxesWithRoomWhereThereIsAMargin) {
+TEST_P(WorldOfBullet, HasThePairsOfFatBoxesWhereThereIsAMargin) {
   BulletWorld world(GetParam(), 120, make_ours(kMargin));
-  RoomyBoxes boxes(kMargin);
+  FatBoxes boxes(kMargin);
   std::mt19937 random(6);
   std::size_t apart = 0;
   for (int frame = 0; frame < kFrames / 2; ++frame) {
