@@ -34,8 +34,12 @@ class RunCopy {
   }
   void put(const AnyPair& pair) { *to_++ = pair; }
 
-  /// Copies the rest and returns the end of all.
-  AnyPair* finish() { return std::copy(from_.begin(), from_.end(), to_); }
+  void rest() { copy(from_.size()); }
+
+  /// How many pairs are left.
+  std::size_t left() const { return from_.size(); }
+  /// Of what was written.
+  AnyPair* end() const { return to_; }
 
  private:
   void copy(std::size_t count) {
@@ -75,7 +79,8 @@ AnyPair* write_changed(std::span<const AnyPair> old, std::span<const AnyPair> be
       began = began.subspan(1);
     }
   }
-  return copy.finish();
+  copy.rest();
+  return copy.end();
 }
 
 /// Where a worker begins, in each of the lists.
@@ -93,17 +98,6 @@ bool are_four_alike(std::span<const AnyPair> one, std::size_t i, std::span<const
   std::uint64_t differ = 0;
   for (std::size_t k = 0; k < 4; ++k) differ |= pair_key(one[i + k]) ^ pair_key(other[j + k]);
   return differ == 0;
-}
-
-/// All bits of a note's place.
-constexpr std::uint64_t kPlaces = ~std::uint64_t{0} >> 1;
-
-// The order in which they came stays where the pair is the same.
-void sort_by_pairs(std::span<PairNote> notes) {
-  for (std::size_t i = 0; i < notes.size(); ++i) notes[i].place = i & kPlaces;
-  std::sort(notes.begin(), notes.end(), [](const PairNote& one, const PairNote& other) {
-    return one.key < other.key || (one.key == other.key && one.place < other.place);
-  });
 }
 
 }  // namespace
@@ -172,35 +166,36 @@ void apply_changes(Crew& crew, std::span<const AnyPair> old, std::span<const Any
 }
 
 template <class AnyPair>
-void apply_notes(std::span<const AnyPair> old, std::span<PairNote> notes, Array<AnyPair>& now) {
-  sort_by_pairs(notes);
-  now.renew(old.size() + notes.size());
-  RunCopy copy(old, now.data());
-  for (std::size_t i = 0; i < notes.size(); ++i) {
-    const bool is_last = i + 1 == notes.size() || notes[i + 1].key != notes[i].key;
-    if (!is_last) continue;
-    copy.until(notes[i].key);
-    copy.leave_out(notes[i].key);
-    if (notes[i].is_there != 0) copy.put(pair_of<AnyPair>(notes[i].key));
-  }
-  now.shrink(static_cast<std::size_t>(copy.finish() - now.data()));
+void apply_alternating(std::span<const AnyPair> old, std::span<const std::uint64_t> keys,
+                       Array<AnyPair>& now) {
+  now.renew(old.size() + keys.size());
+  AlternatingMerge merge(old, keys, now.data());
+  merge.go_on(old.size() + keys.size());
+  now.shrink(static_cast<std::size_t>(merge.end() - now.data()));
 }
 
 // As many times as a pair is named does it change: an odd number of times is once.
 template <class AnyPair>
-void apply_alternating(std::span<const AnyPair> old, std::span<const std::uint64_t> keys,
-                       Array<AnyPair>& now) {
-  now.renew(old.size() + keys.size());
-  RunCopy copy(old, now.data());
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (i + 1 < keys.size() && keys[i + 1] == keys[i]) {
+bool AlternatingMerge<AnyPair>::go_on(std::size_t steps) {
+  const auto part = old_.first(std::min(steps, old_.size()));
+  const bool is_last = part.size() == old_.size();
+  const std::uint64_t end = is_last ? 0 : pair_key(old_[part.size()]);
+  const auto is_in_part = [&](std::size_t i) { return i < keys_.size() && (is_last || keys_[i] < end); };
+  RunCopy copy(part, to_);
+  std::size_t i = 0;
+  for (; i < steps && is_in_part(i); ++i) {
+    if (i + 1 < keys_.size() && keys_[i + 1] == keys_[i]) {
       ++i;
       continue;
     }
-    copy.until(keys[i]);
-    if (!copy.leave_out(keys[i])) copy.put(pair_of<AnyPair>(keys[i]));
+    copy.until(keys_[i]);
+    if (!copy.leave_out(keys_[i])) copy.put(pair_of<AnyPair>(keys_[i]));
   }
-  now.shrink(static_cast<std::size_t>(copy.finish() - now.data()));
+  if (!is_in_part(i)) copy.rest();
+  to_ = copy.end();
+  old_ = old_.subspan(part.size() - copy.left());
+  keys_ = keys_.subspan(i);
+  return old_.empty() && keys_.empty();
 }
 
 template void find_changes(std::span<const Pair>, std::span<const Pair>, std::span<const std::uint32_t>,
@@ -214,6 +209,9 @@ template void apply_changes(std::span<const SlotPair>, std::span<const SlotPair>
 template void apply_changes(Crew&, std::span<const SlotPair>, std::span<const SlotPair>,
                             std::span<const SlotPair>, Array<SlotPair>&);
 template void apply_alternating(std::span<const Pair>, std::span<const std::uint64_t>, Array<Pair>&);
-template void apply_notes(std::span<const SlotPair>, std::span<PairNote>, Array<SlotPair>&);
+template void apply_alternating(std::span<const SlotPair>, std::span<const std::uint64_t>, Array<SlotPair>&);
+
+template class AlternatingMerge<Pair>;
+template class AlternatingMerge<SlotPair>;
 
 }  // namespace cellsweep

@@ -13,13 +13,6 @@
 
 namespace cellsweep {
 
-/// A change that waits: from then on the pair is in the list, or is not.
-struct PairNote {
-  std::uint64_t key = 0;  ///< pair_key()
-  std::uint64_t is_there : 1 = 0;
-  std::uint64_t place : 63 = 0;  ///< in the order in which they came, from when they are sorted
-};
-
 // `AnyPair` is Pair or SlotPair. Lists are ascending.
 
 /// How many pairs of a list are below this one.
@@ -51,9 +44,25 @@ template <class AnyPair>
 void apply_alternating(std::span<const AnyPair> old, std::span<const std::uint64_t> keys,
                        Array<AnyPair>& now);
 
-/// The same with changes in the order in which they came, the last word on a pair counting. Sorts them.
-/// Throws std::bad_alloc before anything is written.
+/// The same a part at a time.
 template <class AnyPair>
-void apply_notes(std::span<const AnyPair> old, std::span<PairNote> notes, Array<AnyPair>& now);
+class AlternatingMerge {
+ public:
+  AlternatingMerge() = default;
+  /// `to` has room for as many pairs as there are in both.
+  AlternatingMerge(std::span<const AnyPair> old, std::span<const std::uint64_t> keys, AnyPair* to)
+      : old_(old), keys_(keys), to_(to) {}
+
+  /// Goes on for about so many pairs of the old list, or so many keys. True when all is done.
+  bool go_on(std::size_t steps);
+
+  /// Of what was written.
+  AnyPair* end() const { return to_; }
+
+ private:
+  std::span<const AnyPair> old_;
+  std::span<const std::uint64_t> keys_;
+  AnyPair* to_ = nullptr;
+};
 
 }  // namespace cellsweep

@@ -289,9 +289,14 @@ inline constexpr std::size_t kBytesOfCandidate = 192;
 /// bodies keeps it. Chosen, not measured.
 inline constexpr std::uint32_t kQuietToGiveBack = 64;
 
-/// So many changes of a list of pairs may wait whatever its length; more, when they are fewer than a quarter
-/// of it.
+/// So many changes of a list of pairs may wait whatever its length, and one more for so many pairs.
 inline constexpr std::size_t kFewNotes = 128;
+inline constexpr std::size_t kPairsOfNote = 8;
+/// A list that is no longer, with its changes, takes them at once.
+inline constexpr std::size_t kListedAtOnce = 4096;
+/// In a longer one a change is sorted, in at most seven passes, and kPairsOfNote pairs are copied with it:
+/// with so many steps for each new one all are in the list before as many wait again.
+inline constexpr std::size_t kStepsOfNote = 16;
 /// When one update would bring more than this and half the list, everything is found anew.
 inline constexpr std::size_t kManyNotes = 16'384;
 

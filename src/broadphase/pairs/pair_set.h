@@ -7,15 +7,15 @@
 
 #include "base/deferred.h"
 #include "base/memory/array.h"
-#include "base/memory/list.h"
-#include "base/pair_changes.h"
+#include "base/pair_list.h"
 #include "cellsweep/broadphase.h"
 #include "cellsweep/pair.h"
 
 namespace cellsweep {
 
-/// The whole list is brought up to date when somebody asks for it; until then changes are remembered, as far
-/// as they are fewer than pairs. What throws std::bad_alloc has changed nothing that shows.
+/// The whole list is brought up to date when somebody asks for it; until then changes are remembered, and
+/// where they are many brought into it a part at a time. What throws std::bad_alloc has changed nothing that
+/// shows.
 class PairSet {
  public:
   /// Makes room for new changes: the last ones will be needed to list all pairs. Memory for many more pairs
@@ -47,7 +47,6 @@ class PairSet {
  private:
   [[gnu::cold]] void give_back_room();
   void note_changes() const;
-  void list_noted() const;
   void list_all() const;
 
   Array<Pair> began_;  // of the last update
@@ -56,10 +55,9 @@ class PairSet {
   Array<Pair> next_ended_;
   Array<Pair> whole_;  // what compare_with_whole_set() was given
 
-  mutable Array<Pair> pairs_;          // but for notes_ and the last changes
-  mutable Array<Pair> spare_;          // room for the next
-  mutable List<std::uint64_t> notes_;  // keys of pairs that began or ended, as often as they did
-  Deferred listing_;                   // of what changed last
+  mutable PairList<Pair> list_;  // but for the last changes
+  mutable Array<Pair> spare_;    // room for the next list
+  Deferred listing_;             // of what changed last
   bool only_began_ = true;  // all pairs: the list of those that began is that of all, and nothing is copied
 };
 

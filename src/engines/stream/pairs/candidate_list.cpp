@@ -57,32 +57,27 @@ SlotPair* list_changed(std::span<const SlotPair> pairs, const std::uint8_t* chan
 
 std::span<const SlotPair> CandidateList::pairs(Crew& crew, PairRoom& room) {
   sort_found(crew);
-  if (!notes_.empty()) {
-    apply_notes<SlotPair>(pairs_.view(), notes_.view(), room.one);
-    std::swap(pairs_, room.one);
-    notes_.clear();
-  }
-  return std::as_const(pairs_).view();
+  return std::as_const(list_.all(room.one)).view();
 }
 
 void CandidateList::sort_found(Crew& crew) {
   sort_until(crew, 1);
   if (found_.empty()) return;
-  sort_pairs(crew, found_, keys_, pairs_);
+  sort_pairs(crew, found_, keys_, list_.pairs());
   found_.clear();
 }
 
 void CandidateList::take(Crew& crew, PairRoom& room, Array<SlotPair>& taken) {
   pairs(crew, room);
-  std::swap(pairs_, taken);
-  pairs_.shrink(0);
+  std::swap(list_.pairs(), taken);
+  list_.pairs().shrink(0);
   size_ = 0;
 }
 
 void CandidateList::begin_sort(Crew& crew, Array<SlotPair>& spare) {
-  std::swap(pairs_, spare);
+  std::swap(list_.pairs(), spare);
   if (!are_sorted_in_parts(size_)) return sort_found(crew);
-  pairs_.renew(size_);
+  list_.pairs().renew(size_);
   buckets_ = distribute_pairs(crew, found_, keys_);
   buckets_sorted_ = 0;
   found_.clear();
@@ -93,7 +88,7 @@ bool CandidateList::sort_until(Crew& crew, double share) {
   const std::size_t all = buckets_.size() - 1;
   const auto due = static_cast<std::size_t>(share * static_cast<double>(all));
   if (due > buckets_sorted_) {
-    sort_buckets(crew, buckets_, buckets_sorted_, due - buckets_sorted_, keys_, pairs_);
+    sort_buckets(crew, buckets_, buckets_sorted_, due - buckets_sorted_, keys_, list_.pairs());
     buckets_sorted_ = due;
   }
   if (buckets_sorted_ == all) buckets_.clear();
@@ -103,27 +98,31 @@ bool CandidateList::sort_until(Crew& crew, double share) {
 void CandidateList::replace(KeyParts found) {
   buckets_.clear();
   found_.assign(found.begin(), found.end());
-  notes_.clear();
+  list_.forget_notes();
   size_ = count_keys(found);
 }
 
+// What was found is not put in order for a few notes.
 void CandidateList::begin_notes(Crew& crew, PairRoom& room) {
-  if (notes_.size() > size_ / 4 + tuning::kFewNotes) pairs(crew, room);
-  notes_before_ = notes_.size();
+  if (list_.are_many(list_.notes(), size_)) sort_found(crew);
+  if (found_.empty()) {
+    list_.go_on(room.one);
+  } else {
+    list_.keep_notes();
+  }
   size_before_ = size_;
 }
 
 bool CandidateList::note(std::span<const std::uint64_t> keys, bool are_there) {
-  const std::size_t size = notes_.size() + keys.size();
-  if (size - notes_before_ > size_before_ / 2 + tuning::kManyNotes) return false;
-  notes_.reserve(size);
-  for (const std::uint64_t key : keys) notes_.push({key, are_there});
+  if (list_.new_notes() + keys.size() > size_before_ / 2 + tuning::kManyNotes) return false;
+  list_.reserve_notes(keys.size());
+  for (const std::uint64_t key : keys) list_.note(key);
   size_ = are_there ? size_ + keys.size() : size_ - keys.size();
   return true;
 }
 
 void CandidateList::forget_notes() {
-  notes_.set_size(notes_before_);
+  list_.forget_new_notes();
   size_ = size_before_;
 }
 
@@ -137,24 +136,25 @@ SlotPairChanges CandidateList::change(Crew& crew, PairRoom& room, KeyParts touch
   std::copy_n(room.one.data(), room.one.size(), ended_.data());
   size_ = size_ + began_.size() - ended_.size();
   if (began_.size() + ended_.size() > 0) {
-    apply_changes<SlotPair>(crew, pairs_.view(), began_.view(), ended_.view(), room.one);
-    std::swap(pairs_, room.one);
+    apply_changes<SlotPair>(crew, list_.pairs().view(), began_.view(), ended_.view(), room.one);
+    std::swap(list_.pairs(), room.one);
   }
   return {std::as_const(began_).view(), std::as_const(ended_).view()};
 }
 
 void CandidateList::list_pairs_of(Crew& crew, const std::uint8_t* changed, Array<SlotPair>& listed) const {
-  listed.renew(pairs_.size());
+  const std::span<const SlotPair> pairs = list_.pairs().view();
+  listed.renew(pairs.size());
   PerWorker<std::size_t> counts(crew.active());
   crew.run([&](unsigned worker) {
-    const Share share = Share::of(pairs_.size(), worker, crew.active());
+    const Share share = Share::of(pairs.size(), worker, crew.active());
     SlotPair* const first = listed.data() + share.first;
-    const auto mine = std::as_const(pairs_).view().subspan(share.first, share.last - share.first);
+    const auto mine = pairs.subspan(share.first, share.last - share.first);
     counts[worker] = static_cast<std::size_t>(list_changed(mine, changed, first) - first);
   });
   std::size_t size = counts[0];
   for (unsigned worker = 1; worker < crew.active(); ++worker) {
-    const SlotPair* const from = listed.data() + Share::of(pairs_.size(), worker, crew.active()).first;
+    const SlotPair* const from = listed.data() + Share::of(pairs.size(), worker, crew.active()).first;
     if (counts[worker] > 0) std::memmove(listed.data() + size, from, counts[worker] * sizeof(SlotPair));
     size += counts[worker];
   }
@@ -165,12 +165,11 @@ void CandidateList::give_back(Crew& crew, PairRoom& room) {
   pairs(crew, room);
   for (Array<SlotPair>* list : {&began_, &ended_}) *list = {};
   keys_ = {};
-  notes_ = {};
-  pairs_.fit();
+  list_.give_back();
 }
 
 std::size_t CandidateList::bytes() const {
-  return pairs_.bytes() + began_.bytes() + ended_.bytes() + keys_.bytes() + notes_.bytes() +
+  return list_.bytes() + began_.bytes() + ended_.bytes() + keys_.bytes() +
          buckets_.capacity() * sizeof(std::size_t);
 }
 

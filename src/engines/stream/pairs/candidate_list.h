@@ -7,8 +7,7 @@
 
 #include "base/crew.h"
 #include "base/memory/array.h"
-#include "base/memory/list.h"
-#include "base/pair_changes.h"
+#include "base/pair_list.h"
 #include "base/pair_sort.h"
 #include "cellsweep/engine/slots.h"
 #include "engines/stream/pairs/pair_room.h"
@@ -48,10 +47,10 @@ class CandidateList {
   /// `touched`, in any order, each once. Returns what began and ended by that.
   SlotPairChanges change(Crew& crew, PairRoom& room, KeyParts touched, const std::uint8_t* changed);
 
-  /// Some pairs are there from now on, or are not, but nobody asks what became of them: the list is brought
-  /// up to date when that is asked for, or by begin_notes() when so much waits that the next calls are
-  /// cheaper with it. False, and nothing is noted, when more would have changed since begin_notes() than half
-  /// of the list and some: forget_notes() makes it what it was then.
+  /// Some pairs are there from now on, or are not any more, but nobody asks what became of them: the list is
+  /// brought up to date when that is asked for, and where much waits a part at a time by begin_notes().
+  /// False, and nothing is noted, when more would have changed since begin_notes() than half of the list and
+  /// some: forget_notes() makes it what it was then.
   void begin_notes(Crew& crew, PairRoom& room);
   bool note(std::span<const std::uint64_t> keys, bool are_there);
   [[gnu::cold]] void forget_notes();
@@ -73,14 +72,12 @@ class CandidateList {
   std::vector<std::span<const std::uint64_t>> found_;  // the pairs, when they have not been sorted yet
   std::vector<std::size_t> buckets_;  // where those of keys_ begin, while these are being sorted,
   std::size_t buckets_sorted_ = 0;    // and so many of them are
-  List<PairNote> notes_;              // what pairs_ does not know yet, in the order in which it came
-  Array<SlotPair> pairs_;
+  PairList<SlotPair> list_;
   Array<SlotPair> began_;
   Array<SlotPair> ended_;
   Array<std::uint64_t> keys_;
   std::size_t size_ = 0;
-  std::size_t notes_before_ = 0;  // at begin_notes(),
-  std::size_t size_before_ = 0;   // and how many pairs there were
+  std::size_t size_before_ = 0;  // at begin_notes()
 };
 
 }  // namespace cellsweep::stream

@@ -1,0 +1,98 @@
+#include "base/pair_list.h"
+
+#include <limits>
+#include <utility>
+
+#include "base/key_sort.h"
+#include "base/tuning.h"
+
+namespace cellsweep {
+
+template <class AnyPair>
+Array<AnyPair>& PairList<AnyPair>::all(Array<AnyPair>& spare) {
+  if (is_merging_) {
+    merge(std::numeric_limits<std::size_t>::max());
+    end_merge(spare);
+  }
+  if (!notes_.empty()) list_noted(spare);
+  return pairs_;
+}
+
+template <class AnyPair>
+void PairList<AnyPair>::list_noted(Array<AnyPair>& spare) {
+  Array<std::uint64_t> sorted;
+  sorted.renew(notes_.size());
+  spare.renew(pairs_.size() + notes_.size());
+  apply_alternating<AnyPair>(pairs_.view(), sort_keys(notes_.view(), sorted.view()), spare);
+  std::swap(pairs_, spare);
+  notes_.clear();
+  kept_ = 0;
+}
+
+template <class AnyPair>
+void PairList<AnyPair>::forget_notes() {
+  notes_.clear();
+  kept_ = 0;
+  is_merging_ = false;
+}
+
+template <class AnyPair>
+bool PairList<AnyPair>::are_many(std::size_t notes, std::size_t pairs) {
+  return notes > pairs / tuning::kPairsOfNote + tuning::kFewNotes;
+}
+
+template <class AnyPair>
+void PairList<AnyPair>::go_on(Array<AnyPair>& spare) {
+  const std::size_t steps = new_notes() * tuning::kStepsOfNote;
+  keep_notes();
+  if (!is_merging_) {
+    if (!are_many(notes_.size(), pairs_.size())) return;
+    if (pairs_.size() + notes_.size() <= tuning::kListedAtOnce) return list_noted(spare);
+    begin_merge(spare);
+  }
+  if (merge(steps)) end_merge(spare);
+}
+
+template <class AnyPair>
+void PairList<AnyPair>::begin_merge(Array<AnyPair>& spare) {
+  const std::size_t most = pairs_.size() + notes_.size();
+  std::swap(next_, spare);
+  next_.renew(most);
+  sort_.begin(notes_);
+  kept_ = 0;
+  is_merging_ = true;
+  is_sorted_ = false;
+}
+
+// True when all is done.
+template <class AnyPair>
+bool PairList<AnyPair>::merge(std::size_t steps) {
+  if (!is_sorted_) {
+    if (!sort_.go_on(steps)) return false;
+    is_sorted_ = true;
+    merge_ = {std::as_const(pairs_).view(), sort_.keys(), next_.data()};
+  }
+  return merge_.go_on(steps);
+}
+
+template <class AnyPair>
+void PairList<AnyPair>::end_merge(Array<AnyPair>& spare) {
+  next_.shrink(static_cast<std::size_t>(merge_.end() - next_.data()));
+  std::swap(pairs_, next_);
+  std::swap(next_, spare);
+  is_merging_ = false;
+}
+
+template <class AnyPair>
+void PairList<AnyPair>::give_back() {
+  if (is_merging_) return;
+  next_ = {};
+  sort_ = {};
+  if (notes_.empty()) notes_ = {};
+  pairs_.fit();
+}
+
+template class PairList<Pair>;
+template class PairList<SlotPair>;
+
+}  // namespace cellsweep
