@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bench/context.h"
+#include "bench/peers/few_suite.h"
 #include "bench/peers/peer_suite.h"
 #include "bench/peers/peer_table.h"
 #include "bench/peers/tail_suite.h"
@@ -77,6 +78,7 @@ int main(int argc, char** argv) {
   int count = static_cast<int>(arguments.size());
   cellsweep::bench::add_context();
   cellsweep::bench::register_peer_suite(giant);
+  cellsweep::bench::register_few_suite();
   cellsweep::bench::register_tail_suite();
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;

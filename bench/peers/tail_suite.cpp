@@ -1,7 +1,6 @@
 #include "bench/peers/tail_suite.h"
 
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <numeric>
@@ -12,6 +11,7 @@
 #include "base/text.h"
 #include "bench/peers/peer_run.h"
 #include "bench/peers/peer_table.h"
+#include "bench/peers/undisturbed.h"
 #include "report/quantile.h"
 
 namespace cellsweep::bench {
@@ -23,13 +23,6 @@ std::size_t frames_with(std::size_t bodies) {
 }
 
 constexpr std::size_t kFramesBefore = 24;
-
-// Of all threads of the process.
-long involuntary_switches() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_nivcsw;
-}
 
 /// Each frame over the median of some hundred around it: a world that dissolves takes less with each frame,
 /// and that is not uneven.
@@ -47,15 +40,12 @@ std::vector<double> over_medians_nearby(std::span<const double> frames) {
 
 void run_row(benchmark::State& state, const PeerInfo& peer, const PeerSetting& setting) {
   PeerRun run(peer, setting);
-  std::vector<double> undisturbed;
-  const std::size_t frames = frames_with(setting.bodies);
+  UndisturbedFrames frames;
+  const std::vector<double>& undisturbed = frames.seconds();
+  const std::size_t count = frames_with(setting.bodies);
   for (auto _ : state) {
     for (std::size_t i = 0; i < kFramesBefore; ++i) run.next_frame();
-    for (std::size_t i = 0; i < frames; ++i) {
-      const long switches = involuntary_switches();
-      const double seconds = run.next_frame();
-      if (involuntary_switches() == switches) undisturbed.push_back(seconds);
-    }
+    for (std::size_t i = 0; i < count; ++i) frames.add([&] { return run.next_frame(); });
     state.SetIterationTime(report::quantile(undisturbed, 0.5));
   }
   if (undisturbed.empty()) return state.SkipWithError("no frame without an involuntary switch");

@@ -4,18 +4,27 @@
 #include <numeric>
 
 namespace cellsweep::stream {
+namespace {
 
-// What comes before the cells is done in the first half, and cells take half of all updates at least:
-// whatever the clock says, no update of three compares more boxes than two thirds of all cells have.
+/// What comes before the cells is done by then, and cells take so much of all updates at least: whatever the
+/// clock says, no update of three compares more boxes than two thirds of all cells have.
+constexpr double kDueBeforeCells = 0.5;
+constexpr double kLeastOfCells = 0.5;
+
+}  // namespace
+
 bool RebuildShares::is_late(RebuildStage stage, double due) {
-  return stage < kCells && due > 0.5;
+  return stage < kCells && due > kDueBeforeCells;
 }
 
 double RebuildShares::due_of(RebuildStage stage, double due) const {
   if (is_late(stage, due)) return 1;
   const double before = done_[stage - 1];
   const double share = done_[stage] - before;
-  if (stage == kCells) return std::clamp((due - std::min(before, 0.5)) / std::max(share, 0.5), 0.0, 1.0);
+  if (stage == kCells) {
+    const double first = std::min(before, kDueBeforeCells);
+    return std::clamp((due - first) / std::max(share, kLeastOfCells), 0.0, 1.0);
+  }
   const double done = std::clamp((due - before) / share, 0.0, 1.0);
   return stage < kCells ? done : std::min(done, due_of(static_cast<RebuildStage>(stage - 1), due));
 }
