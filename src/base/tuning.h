@@ -234,14 +234,16 @@ inline constexpr std::size_t kOneCell = 128;
 /// More boxes than this, divided by the workers that there are, come into cells, which several can fill; and
 /// of two sets, whose pairs within each a sweep finds in vain, more than kMostSwept. EPYC, AVX-512, one
 /// thread, one set, scenes that are long on an axis: 0.5 to 0.9 of the time at 100,000, 1.0 to 1.2 at
-/// 300,000; two sets in all scenes, 3,000 to 30,000: 1.0 to 1.5.
+/// 300,000; two sets in all scenes, 3,000 to 30,000: 1.0 to 1.5; 600 to 2,000: 0.7 to 0.9, but for those with
+/// many pairs within a set.
 inline constexpr std::size_t kMostSweptAtOnce = 131'072;
 /// A sweep has all pairs in memory before the first one is handed on; where there are more than so many a
 /// box, cells do without. Chosen, not measured.
 inline constexpr std::size_t kPairsSweptAtOnce = 64;
 /// Where one of two sets has so many and fewer, all of them are compared with all of the other.
-/// EPYC, uniform: 300 of 10,000 take as long either way.
-inline constexpr std::size_t kMostPieced = 256;
+/// EPYC, uniform, clustered, wall and stacks: 60 of 10,000 take as long either way, 75 of 2,000, 100 of
+/// 100,000.
+inline constexpr std::size_t kMostPieced = 64;
 /// These are compared so many at a time.
 inline constexpr std::size_t kPieced = 4096;
 /// Seconds that such a comparison takes.
@@ -249,6 +251,14 @@ inline constexpr double kCrossTestGuess = 0.1e-9;
 /// Boxes of two sets are put into a coarse grid, to leave out those that lie apart, unless each reaches into
 /// so many rows of its cells, in the mean.
 inline constexpr std::uint64_t kRowsOfApart = 16;
+/// Nor unless so many of a few boxes have none of the other set nearby, before so many have, of both sets
+/// together so many boxes or more. EPYC, uniform and clustered, 1,000 against the others, with the grid and
+/// without: 2.1 at 10,000, 1.0 to 1.5 at 100,000, 0.6 to 0.9 at 200,000, 0.6 at 800,000; a tenth against the
+/// others 1.3 to 2.2.
+inline constexpr unsigned kAloneOfAsked = 6;
+inline constexpr unsigned kNearOfFew = 1;
+inline constexpr unsigned kNearOfMany = 5;
+inline constexpr std::size_t kManyAsked = 131'072;
 /// Rounded boxes that overlap where those of doubles do not, for each box, before their coordinates are
 /// ranked.
 inline constexpr std::uint64_t kCandidatesOfRounded = 16;

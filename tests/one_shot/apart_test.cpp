@@ -50,7 +50,57 @@ void expect_pairs_left(const contract::BoxKind& kind, std::uint32_t count) {
   }
 }
 
-// Of few boxes by the bounds of the sets, of many by a grid.
+/// Tiny cubes in a world of 64 cells on an axis, corners on the borders of cells or anywhere; on the first
+/// axis only in each eighth cell from `first_cell` on.
+std::vector<Aabb> tiny_cubes(contract::Random& random, std::size_t count, std::uint64_t first_cell,
+                             float origin, float edge) {
+  std::vector<Aabb> boxes(count);
+  for (Aabb& box : boxes) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto cell = static_cast<float>(axis == 0 ? first_cell + 8 * random.below(8) : random.below(64));
+      const float offset = random.one_in(2) ? 0 : static_cast<float>(random.below(1000)) / 1000;
+      box.min[axis] = origin + (cell + offset) * edge;
+      box.max[axis] = box.min[axis] + edge / 16;
+    }
+  }
+  return boxes;
+}
+
+// Few of either set are near the other, so that the grid is asked.
+TEST(Apart, LeavesInWhateverHasAPairAmongManyThatHaveNone) {
+  contract::Random random(3);
+  for (const float origin : {0.0F, -32.0F, 1e6F, -1e-3F}) {
+    for (const float edge : {1.0F, 1e-4F}) {
+      const auto first = tiny_cubes(random, 2000, 0, origin, edge);
+      auto second = tiny_cubes(random, 1000, 4, origin, edge);
+      for (std::size_t i = 0; i < 12; ++i) {
+        Aabb& box = second[5 + i * 71] = first[5 + i * 91];
+        if (i % 2 == 0) continue;
+        box.min[i % 3] = box.max[i % 3];  // they touch at a face
+        box.max[i % 3] += edge / 16;
+      }
+      const auto left = places_left(first, second);
+      for (const CrossPair pair : true_pairs(first, second)) {
+        ASSERT_TRUE(std::ranges::binary_search(left, pair.a)) << origin << " " << edge;
+        ASSERT_TRUE(std::ranges::binary_search(left, 2000 + pair.b)) << origin << " " << edge;
+      }
+      const bool are_points = origin + edge / 16 == origin;
+      EXPECT_TRUE(are_points || left.size() < 300) << left.size() << " at " << origin << " " << edge;
+    }
+  }
+}
+
+TEST(Apart, LeavesInAllOfTwoSetsThatLieMixed) {
+  std::vector<Aabb> first, second;
+  for (int i = 0; i < 3000; ++i) {
+    const auto x = static_cast<float>(i % 10), y = static_cast<float>(i / 10 % 10),
+               z = static_cast<float>(i / 100);
+    (i % 2 == 0 ? first : second).push_back({{x, y, z}, {x + 1.2F, y + 1.2F, z + 1.2F}});
+  }
+  EXPECT_EQ(places_left(first, second).size(), 3000U);
+}
+
+// Of few boxes by the bounds of the sets.
 TEST(Apart, LeavesInWhateverHasAPair) {
   for (const contract::BoxKind& kind : contract::box_kinds()) {
     for (const std::uint32_t count : {400U, 1600U}) expect_pairs_left(kind, count);
