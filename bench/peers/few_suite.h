@@ -11,8 +11,8 @@ namespace cellsweep::bench {
 ///
 /// After a hundred frames, in which a world that was entered as a whole comes to rest, a repetition takes
 /// 6,000, or as many as fit into two seconds; its time is their mean. Counters: `median`, `p99` and `slowest`
-/// in microseconds, `frames` (as in the rows `p99/`, those in which the system took no core away), and `pairs`
-/// after the last one; the label is their hash, compared with the oracle's.
+/// in microseconds, `frames` (as in the rows `p99/`, those in which the system took no core away), and
+/// `pairs` after the last one; the label is their hash, compared with the oracle's.
 void register_few_suite();
 
 }  // namespace cellsweep::bench
