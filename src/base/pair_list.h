@@ -48,15 +48,15 @@ class PairList {
   void go_on(Array<AnyPair>& spare);
 
   /// Gives back the memory that the list does not need, unless a part of its changes is in the next one.
-  void give_back();
+  [[gnu::cold]] void give_back();
 
   std::size_t bytes() const { return pairs_.bytes() + next_.bytes() + notes_.bytes() + sort_.bytes(); }
 
  private:
-  void begin_merge(Array<AnyPair>& spare);
+  [[gnu::cold]] void begin_merge(Array<AnyPair>& spare);
   bool merge(std::size_t steps);
-  void end_merge(Array<AnyPair>& spare);
-  void list_noted(Array<AnyPair>& spare);
+  [[gnu::noinline]] void end_merge(Array<AnyPair>& spare);
+  [[gnu::noinline]] void list_noted(Array<AnyPair>& spare);
 
   Array<AnyPair> pairs_;
   List<std::uint64_t> notes_;  // keys, in the order in which they came,

@@ -14,7 +14,7 @@ namespace cellsweep {
 class SteppedSort {
  public:
   /// Takes these keys up; the list is empty then. Throws std::bad_alloc, and nothing has changed.
-  void begin(List<std::uint64_t>& keys);
+  [[gnu::cold]] void begin(List<std::uint64_t>& keys);
 
   /// Goes on for so many steps at most, of one key each, and takes away from `steps` what it went. True when
   /// all is sorted.

@@ -299,10 +299,11 @@ inline constexpr std::size_t kBytesOfCandidate = 192;
 /// bodies keeps it. Chosen, not measured.
 inline constexpr std::uint32_t kQuietToGiveBack = 64;
 
-/// So many changes of a list of pairs may wait whatever its length, and one more for so many pairs.
+/// So many changes of a list of pairs may wait whatever its length, and one more for so many pairs. EPYC,
+/// uniform 100,000, 100 movers: with half as many pairs the same time, and 3 bytes a pair more.
 inline constexpr std::size_t kFewNotes = 128;
 inline constexpr std::size_t kPairsOfNote = 8;
-/// A list that is no longer, with its changes, takes them at once.
+/// A list that is no longer, with its changes, takes them at once. Chosen, not measured.
 inline constexpr std::size_t kListedAtOnce = 4096;
 /// In a longer one a change is sorted, in at most seven passes, and kPairsOfNote pairs are copied with it:
 /// with so many steps for each new one all are in the list before as many wait again.

@@ -9,7 +9,6 @@
 
 #include "base/memory/array.h"
 #include "base/tuning.h"
-#include "geometry/bounds.h"
 #include "geometry/box_lanes.h"
 
 namespace cellsweep::one_shot {

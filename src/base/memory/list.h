@@ -18,13 +18,7 @@ class List {
  public:
   /// Room for so many elements in all; a list that grows a little at a time seldom moves.
   void reserve(std::size_t size) {
-    if (size <= capacity_) return;
-    const std::size_t more = capacity_ + capacity_ / 2;
-    const std::size_t wanted = size > more ? size : more;
-    auto* larger = grow_memory(reinterpret_cast<std::byte*>(memory_.get()), bytes(), wanted * sizeof(T));
-    static_cast<void>(memory_.release());
-    memory_.reset(reinterpret_cast<T*>(larger));
-    capacity_ = wanted;
+    if (size > capacity_) grow(size);
   }
   /// Within what was reserved; elements that are new hold anything.
   void set_size(std::size_t size) { size_ = size; }
@@ -42,6 +36,16 @@ class List {
   std::span<const T> view() const { return {memory_.get(), size_}; }
 
  private:
+  // Once, not wherever a list may grow.
+  [[gnu::noinline]] void grow(std::size_t size) {
+    const std::size_t more = capacity_ + capacity_ / 2;
+    const std::size_t wanted = size > more ? size : more;
+    auto* larger = grow_memory(reinterpret_cast<std::byte*>(memory_.get()), bytes(), wanted * sizeof(T));
+    static_cast<void>(memory_.release());
+    memory_.reset(reinterpret_cast<T*>(larger));
+    capacity_ = wanted;
+  }
+
   Memory<T> memory_;
   std::size_t size_ = 0;
   std::size_t capacity_ = 0;

@@ -17,17 +17,20 @@ bool may_pair_slots(const SlotFilters& filters, Slot one, Slot other) {
 /// Where the bodies of slots are now.
 class SlotsNow {
  public:
-  explicit SlotsNow(std::span<const SlotFilters::Move> moves) : moves_(moves.begin(), moves.end()) {
-    std::ranges::sort(moves_, {}, &SlotFilters::Move::from);
+  explicit SlotsNow(std::span<const SlotFilters::Move> moves) {
+    for (const SlotFilters::Move& move : moves) moves_.push_back(key_of(move.from) | move.to);
+    sort_keys(moves_);
   }
 
   Slot operator()(Slot slot) const {
-    const auto found = std::ranges::lower_bound(moves_, slot, {}, &SlotFilters::Move::from);
-    return found != moves_.end() && found->from == slot ? found->to : slot;
+    const auto found = std::ranges::lower_bound(moves_, key_of(slot));
+    return found != moves_.end() && *found >> 32 == slot ? static_cast<Slot>(*found) : slot;
   }
 
  private:
-  std::vector<SlotFilters::Move> moves_;
+  static std::uint64_t key_of(Slot from) { return std::uint64_t{from} << 32; }
+
+  std::vector<std::uint64_t> moves_;  // from above to, ascending
 };
 
 }  // namespace
@@ -67,39 +70,43 @@ void PairFilter::allow_keys(KeyParts parts, const SlotFilters& filters) {
   }
 }
 
-// Both lists by the slots that bodies have now, side by side.
+// By the slots that bodies have now.
 void PairFilter::cancel(const SlotFilters& filters) {
   for (const SlotPair& pair : began_.view()) more_began_.push(pair_key(pair));
   began_.shrink(0);
   sort_keys(more_began_.view());
-  list_ended_now(filters);
-  std::size_t began = 0, ended = 0;
-  std::size_t i = 0;
-  for (const Ended& pair : std::as_const(ended_now_).view()) {
-    while (i < more_began_.size() && more_began_[i] < pair.key_now) more_began_[began++] = more_began_[i++];
-    if (i < more_began_.size() && more_began_[i] == pair.key_now) {
-      ++i;
+  const SlotsNow now(filters.moves());
+  cancelled_.clear();
+  cancelled_.reserve(ended_.size());
+  SlotPair* to = ended_.data();
+  for (const SlotPair pair : std::as_const(ended_).view()) {
+    const std::uint64_t key = pair_key(make_slot_pair(now(pair.a), now(pair.b)));
+    if (std::ranges::binary_search(more_began_.view(), key)) {
+      cancelled_.push(key);
     } else {
-      ended_.data()[ended++] = pair.pair;
+      *to++ = pair;
     }
   }
-  while (i < more_began_.size()) more_began_[began++] = more_began_[i++];
-  more_began_.set_size(began);
-  ended_.shrink(ended);
-  std::ranges::sort(ended_.view());
+  ended_.shrink(static_cast<std::size_t>(to - ended_.data()));
+  leave_out_cancelled();
 }
 
-void PairFilter::list_ended_now(const SlotFilters& filters) {
-  const SlotsNow now(filters.moves());
-  ended_now_.clear();
-  ended_now_.reserve(ended_.size());
-  for (const SlotPair& pair : std::as_const(ended_).view())
-    ended_now_.push({pair_key(make_slot_pair(now(pair.a), now(pair.b))), pair});
-  std::ranges::sort(ended_now_.view(), {}, &Ended::key_now);
+void PairFilter::leave_out_cancelled() {
+  sort_keys(cancelled_.view());
+  std::size_t began = 0;
+  std::size_t cancelled = 0;
+  for (const std::uint64_t key : std::as_const(more_began_).view()) {
+    if (cancelled < cancelled_.size() && cancelled_[cancelled] == key) {
+      ++cancelled;
+    } else {
+      more_began_[began++] = key;
+    }
+  }
+  more_began_.set_size(began);
 }
 
 std::size_t PairFilter::bytes() const {
-  return began_.bytes() + ended_.bytes() + more_began_.bytes() + ended_now_.bytes();
+  return began_.bytes() + ended_.bytes() + more_began_.bytes() + cancelled_.bytes();
 }
 
 }  // namespace cellsweep

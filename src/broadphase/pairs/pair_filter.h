@@ -24,22 +24,16 @@ class PairFilter {
   std::size_t bytes() const;
 
  private:
-  /// A pair that ended, by the slots that its bodies have now.
-  struct Ended {
-    std::uint64_t key_now;
-    SlotPair pair;
-  };
-
   void allow(std::span<const SlotPair> pairs, const SlotFilters& filters, Array<SlotPair>& allowed);
   void allow_keys(KeyParts parts, const SlotFilters& filters);
   void cancel(const SlotFilters& filters);
-  void list_ended_now(const SlotFilters& filters);
+  void leave_out_cancelled();
 
   Array<SlotPair> began_;
   Array<SlotPair> ended_;
   List<std::uint64_t> more_began_;
   std::span<const std::uint64_t> more_view_;
-  List<Ended> ended_now_;
+  List<std::uint64_t> cancelled_;  // pairs that did neither, by the slots of now
 };
 
 }  // namespace cellsweep

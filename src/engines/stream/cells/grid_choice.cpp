@@ -23,7 +23,9 @@ struct Plan {
 
 /// The width of cells, in extents of a box, that gives so many cells; of axes that are longer than that.
 double cell_width(std::array<double, 3> lengths, double cells) {
-  std::sort(lengths.rbegin(), lengths.rend());
+  for (const std::size_t axis : {0, 1, 0}) {  // the longest first
+    if (lengths[axis] < lengths[axis + 1]) std::swap(lengths[axis], lengths[axis + 1]);
+  }
   const double three = std::cbrt(lengths[0] * lengths[1] * lengths[2] / cells);
   if (lengths[2] > 0 && lengths[2] >= three) return three;
   const double two = std::sqrt(lengths[0] * lengths[1] / cells);

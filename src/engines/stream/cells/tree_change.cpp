@@ -116,20 +116,19 @@ void TreeChanger::change_one(const FatBoxChange& change, Node& root) {
   const std::size_t count = list_cells(change, root.grid, nullptr);
   check_visits(count, scratch);
   auto* visits = scratch.job.take<CellVisit>(count);
-  CellVisit* const end = visits + list_cells(change, root.grid, visits);
-  // Of a cell that it stays in, the visit that takes it out comes first.
-  std::sort(visits, end, [](const CellVisit& one, const CellVisit& other) {
-    if (one.cell != other.cell) return one.cell < other.cell;
-    return one.visit.new_flags == 0 && other.visit.new_flags != 0;
-  });
-  for (const CellVisit* first = visits; first != end;) {
-    const CellVisit* const next =
-        std::find_if(first, const_cast<const CellVisit*>(end),
-                     [&](const CellVisit& visit) { return visit.cell != first->cell; });
+  const CellVisit* const end = visits + list_cells(change, root.grid, visits);
+  // Ascending: the cells that it was in, and behind these, unless they are the same, those that it is in. Of
+  // one that it stays in, the visit that takes it out comes first.
+  const CellVisit* was = visits;
+  const CellVisit* is = std::find_if(was, end, [](const CellVisit& visit) { return enters(visit.visit); });
+  const CellVisit* const was_end = is;
+  while (was != was_end || is != end) {
+    const std::uint32_t cell = is == end || (was != was_end && was->cell < is->cell) ? was->cell : is->cell;
     std::array<Visit, 2> here;
-    std::transform(first, next, here.begin(), [](const CellVisit& visit) { return visit.visit; });
-    change_cell({here.data(), static_cast<std::size_t>(next - first)}, root.cells[first->cell], scratch);
-    first = next;
+    std::size_t visited = 0;
+    if (was != was_end && was->cell == cell) here[visited++] = (was++)->visit;
+    if (is != end && is->cell == cell) here[visited++] = (is++)->visit;
+    change_cell({here.data(), visited}, root.cells[cell], scratch);
   }
 }
 
@@ -185,7 +184,6 @@ void TreeChanger::make_room(CellBoxes& cell, std::uint32_t more, Scratch& scratc
 
 // What changed and is still there comes to stand first: these are the rows that are compared.
 void TreeChanger::change_boxes(std::span<const Visit> visits, CellBoxes& cell, Scratch& scratch) const {
-  const auto enters = [](const Visit& visit) { return visit.old_flags == 0; };
   make_room(cell, static_cast<std::uint32_t>(std::count_if(visits.begin(), visits.end(), enters)), scratch);
   TaggedBox* const boxes = cell.boxes;
   std::uint32_t rows = 0;

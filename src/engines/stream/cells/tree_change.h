@@ -28,6 +28,7 @@ class TreeChanger {
   };
 
   static constexpr std::uint8_t kThere = 8;
+  static bool enters(const Visit& visit) { return visit.old_flags == 0; }
   struct CellVisit {
     std::uint32_t cell;
     Visit visit;
