@@ -17,10 +17,12 @@ namespace {
 class Movers {
  public:
   Movers(std::size_t bodies, std::size_t every)
-      : source_(uniform(bodies, 1)), now_(source_->boxes().begin(), source_->boxes().end()), before_(now_) {
-    std::vector<Aabb> fat = now_;
-    for (Aabb& box : fat) grow(box);
-    cells_.build_seconds(fat);
+      : source_(uniform(bodies, 1)),
+        now_(source_->boxes().begin(), source_->boxes().end()),
+        before_(now_),
+        fat_(now_) {
+    for (Aabb& box : fat_) grow(box);
+    cells_.build_seconds(fat_);
     candidates_.replace(cells_.tree.found());
     Random random(1);
     for (Slot slot = 0; slot < bodies; ++slot) {
@@ -49,8 +51,11 @@ class Movers {
       const BodyChanges changes{
           .boxes = now_, .before = before_, .removed = {}, .moved = moved_, .inserted = {}};
       mark(1);
-      pairs.ask_before(cells_.tree, changes, fresh_.data());
-      pairs.ask_now(cells_.tree, changes, fresh_.data());
+      pairs.begin(changes, fresh_.data());
+      for (const Slot slot : moved_) {
+        pairs.stayed(cells_.tree, slot, fat_[slot]);
+        fresh_[slot] = PairsOfFew::kAsked;
+      }
       mark(0);
       pairs.changes(cells_.crew);
     });
@@ -90,6 +95,7 @@ class Movers {
   std::unique_ptr<FrameSource> source_;
   std::vector<Aabb> now_;
   std::vector<Aabb> before_;
+  std::vector<Aabb> fat_;
   std::vector<Slot> moved_;
   std::vector<std::uint8_t> fresh_;
   Cells cells_;

@@ -87,7 +87,7 @@ template <class AnyPair>
 void PairList<AnyPair>::give_back() {
   if (is_merging_) return;
   next_ = {};
-  sort_ = {};
+  sort_.give_back();
   if (notes_.empty()) notes_ = {};
   pairs_.fit();
 }

@@ -55,7 +55,7 @@ class PairList {
  private:
   [[gnu::cold]] void begin_merge(Array<AnyPair>& spare);
   bool merge(std::size_t steps);
-  [[gnu::noinline]] void end_merge(Array<AnyPair>& spare);
+  void end_merge(Array<AnyPair>& spare);
   [[gnu::noinline]] void list_noted(Array<AnyPair>& spare);
 
   Array<AnyPair> pairs_;

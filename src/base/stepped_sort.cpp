@@ -17,6 +17,10 @@ void SteppedSort::begin(List<std::uint64_t>& keys) {
   place_ = 0;
 }
 
+void SteppedSort::give_back() {
+  *this = SteppedSort();
+}
+
 // A pass counts, and each further one is by one digit, the lowest first, stably.
 bool SteppedSort::go_on(std::size_t& steps) {
   while (digit_ < kDigits && steps > 0) {

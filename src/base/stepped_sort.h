@@ -23,6 +23,9 @@ class SteppedSort {
   /// Ascending, after that. Valid until begin().
   std::span<const std::uint64_t> keys() const { return keys_.view(); }
 
+  /// Gives its memory back, and forgets what is in there.
+  [[gnu::cold]] void give_back();
+
   std::size_t bytes() const { return keys_.bytes() + sorted_.bytes() + counts_.bytes(); }
 
  private:

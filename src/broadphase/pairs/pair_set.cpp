@@ -39,8 +39,9 @@ void PairSet::remember_changes() {
 }
 
 // A pair that is in both lists ended with one body and began with another of the same id: it is noted twice,
-// and there as before.
+// and there as before. What an attempt noted that found no memory then is not noted again.
 void PairSet::note_changes() const {
+  list_.forget_new_notes();
   list_.reserve_notes(began_.size() + ended_.size());
   for (const Pair& pair : ended_.view()) list_.note(pair_key(pair));
   for (const Pair& pair : began_.view()) list_.note(pair_key(pair));
@@ -76,12 +77,7 @@ void PairSet::list_all() const {
     return;
   }
   note_changes();
-  try {
-    list_.all(spare_);
-  } catch (...) {
-    list_.forget_new_notes();  // what was noted once must not be noted again
-    throw;
-  }
+  list_.all(spare_);
 }
 
 std::size_t PairSet::bytes() const {

@@ -186,7 +186,7 @@ bool Stream::find_of_few(const BodyChanges& changes, PhaseTimer& timer, FoundPai
   try {
     overlaps_.change_cells_of_few(search_.cells(), changes, fat_boxes_.changes());
     timer.lap("cells");
-    found = overlaps_.find_of_few(search_.cells(), changes);
+    found = overlaps_.find_of_few(search_.cells(), changes, fat_boxes_.data(changes.boxes));
   } catch (const TooMuchWork&) {
     overlaps_.forget_few(changes);
     return false;

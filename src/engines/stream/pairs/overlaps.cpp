@@ -107,12 +107,13 @@ void Overlaps::change_cells_of_few(CellTree& cells, const BodyChanges& changes,
                                    std::span<const FatBoxChange> fat_changes) {
   list_.begin_notes(crew_, room_);
   cells.begin_changes();
-  mark_fresh(changes, 1);
-  few_.ask_before(cells, changes, fresh_.data());
+  mark_fresh(changes, PairsOfFew::kChanged);
+  few_.begin(changes, fresh_.data());
   for (const FatBoxChange& change : fat_changes) {
-    if (change.was) note(few_.partners(cells, changes.filters, change.slot, change.old_box), false);
+    if (change.was) note(few_.had(cells, change.slot, change.old_box), false);
     cells.change_one(change);
-    if (change.is) note(few_.partners(cells, changes.filters, change.slot, change.new_box), true);
+    if (change.is) note(few_.has(cells, change.slot, change.new_box), true);
+    fresh_[change.slot] = PairsOfFew::kAsked;
   }
 }
 
@@ -122,12 +123,16 @@ void Overlaps::note(std::span<const std::uint64_t> keys, bool are_there) {
 
 void Overlaps::forget_few(const BodyChanges& changes) {
   list_.forget_notes();
-  mark_fresh(changes, 0);
+  mark_fresh(changes, PairsOfFew::kUnchanged);
 }
 
-FoundPairs Overlaps::find_of_few(CellTree& cells, const BodyChanges& changes) {
-  few_.ask_now(cells, changes, fresh_.data());
-  mark_fresh(changes, 0);
+FoundPairs Overlaps::find_of_few(CellTree& cells, const BodyChanges& changes, const Aabb* fat_boxes) {
+  for (const Slot slot : changes.moved) {
+    if (fresh_[slot] == PairsOfFew::kAsked) continue;
+    few_.stayed(cells, slot, fat_boxes[slot]);
+    fresh_[slot] = PairsOfFew::kAsked;
+  }
+  mark_fresh(changes, PairsOfFew::kUnchanged);
   if (!are_pairs_) marks_say_ = Marks::stale;
   const SlotPairChanges found = few_.changes(crew_);
   return {.began = found.began, .ended = found.ended};

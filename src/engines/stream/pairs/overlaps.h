@@ -61,11 +61,12 @@ class Overlaps {
 
   /// Whether so few bodies changed that the cells should be asked for their pairs.
   bool are_few(const BodyChanges& changes) const;
-  /// Asks the cells, and changes them, one body at a time. These throw TooMuchWork; then forget_few() makes
-  /// everything but the cells what it was, and all is to be found anew.
+  /// Asks the cells, and changes them, one body at a time; then asks of the others that moved, in their fat
+  /// boxes, by slot. These throw TooMuchWork; then forget_few() makes everything but the cells what it was,
+  /// and all is to be found anew.
   void change_cells_of_few(CellTree& cells, const BodyChanges& changes,
                            std::span<const FatBoxChange> fat_changes);
-  FoundPairs find_of_few(CellTree& cells, const BodyChanges& changes);
+  FoundPairs find_of_few(CellTree& cells, const BodyChanges& changes, const Aabb* fat_boxes);
   [[gnu::cold]] void forget_few(const BodyChanges& changes);
 
   /// Nobody is left: all pairs end, and the memory goes back.

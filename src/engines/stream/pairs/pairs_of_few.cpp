@@ -8,58 +8,71 @@
 
 namespace cellsweep::stream {
 
-void PairsOfFew::ask_before(CellTree& cells, const BodyChanges& changes, const std::uint8_t* fresh) {
-  const auto box_before = [&](Slot slot) -> const Aabb& {
-    return fresh[slot] != 0 ? changes.before[slot] : changes.boxes[slot];
-  };
+void PairsOfFew::begin(const BodyChanges& changes, const std::uint8_t* marks) {
+  bodies_ = &changes;
+  marks_ = marks;
   keys_before_.clear();
-  ask(cells, changes, changes.removed, fresh, box_before, keys_before_);
-  ask(cells, changes, changes.moved, fresh, box_before, keys_before_);
-}
-
-void PairsOfFew::ask_now(CellTree& cells, const BodyChanges& changes, const std::uint8_t* fresh) {
-  const auto box_now = [&](Slot slot) -> const Aabb& { return changes.boxes[slot]; };
   keys_now_.clear();
-  ask(cells, changes, changes.moved, fresh, box_now, keys_now_);
-  ask(cells, changes, changes.inserted, fresh, box_now, keys_now_);
 }
 
-// The fat boxes that a box overlaps, and of these the boxes. A pair of two that changed is found from both
-// sides, and listed from one.
-template <class BoxOf>
-void PairsOfFew::ask(CellTree& cells, const BodyChanges& changes, std::span<const Slot> slots,
-                     const std::uint8_t* fresh, const BoxOf& box_of, Keys& pairs) {
-  pairs.allow(changes.filters);
-  for (const Slot slot : slots) {
-    const BoxLanes box(box_of(slot));
-    partners_.clear();
-    cells.find_partners(box_of(slot), partners_);
-    KeyBuffer& found = pairs.buffer();
-    make_room(found, partners_.view().size());
-    for (const std::uint64_t key : partners_.view()) {
-      const auto other = static_cast<Slot>(key);
-      const bool is_listed = other != slot && (fresh[other] == 0 || slot < other);
-      if (!is_listed || !overlap(box, BoxLanes(box_of(other)))) continue;
-      found.keys[found.size++] = pair_key(make_slot_pair(slot, other));
-    }
-    pairs.leave_out();
-  }
+std::span<const std::uint64_t> PairsOfFew::had(CellTree& cells, Slot slot, const Aabb& fat_box) {
+  find_candidates(cells, slot, fat_box);
+  list_before(slot);
+  return candidates_.view();
 }
 
-std::span<const std::uint64_t> PairsOfFew::partners(CellTree& cells, std::span<const BodyFilter> filters,
-                                                    Slot slot, const Aabb& box) {
+std::span<const std::uint64_t> PairsOfFew::has(CellTree& cells, Slot slot, const Aabb& fat_box) {
+  find_candidates(cells, slot, fat_box);
+  list_now(slot);
+  return candidates_.view();
+}
+
+void PairsOfFew::stayed(CellTree& cells, Slot slot, const Aabb& fat_box) {
+  find_candidates(cells, slot, fat_box);
+  list_before(slot);
+  list_now(slot);
+}
+
+void PairsOfFew::find_candidates(CellTree& cells, Slot slot, const Aabb& fat_box) {
   partners_.clear();
-  cells.find_partners(box, partners_);
-  pairs_.clear();
-  pairs_.allow(filters);
-  KeyBuffer& found = pairs_.buffer();
+  cells.find_partners(fat_box, partners_);
+  candidates_.clear();
+  candidates_.allow(bodies_->filters);
+  KeyBuffer& found = candidates_.buffer();
   make_room(found, partners_.view().size());
   for (const std::uint64_t key : partners_.view()) {
     const auto other = static_cast<Slot>(key);
     if (other != slot) found.keys[found.size++] = pair_key(make_slot_pair(slot, other));
   }
-  pairs_.leave_out();
-  return pairs_.view();
+  candidates_.leave_out();
+}
+
+// Those that were asked for have listed it.
+void PairsOfFew::list_before(Slot slot) {
+  const auto box_before = [&](Slot body) -> const Aabb& {
+    return marks_[body] != kUnchanged ? bodies_->before[body] : bodies_->boxes[body];
+  };
+  list(slot, kAsked, box_before, keys_before_);
+}
+
+// Those that will be asked for list it.
+void PairsOfFew::list_now(Slot slot) {
+  list(
+      slot, kChanged, [&](Slot body) -> const Aabb& { return bodies_->boxes[body]; }, keys_now_);
+}
+
+template <class BoxOf>
+void PairsOfFew::list(Slot slot, std::uint8_t left_out, const BoxOf& box_of, Keys& pairs) const {
+  const BoxLanes box(box_of(slot));
+  const std::span<const std::uint64_t> candidates = candidates_.view();
+  KeyBuffer& found = pairs.buffer();
+  make_room(found, candidates.size());
+  for (const std::uint64_t key : candidates) {
+    const auto first = static_cast<Slot>(key >> 32);
+    const Slot other = first == slot ? static_cast<Slot>(key) : first;
+    if (marks_[other] == left_out || !overlap(box, BoxLanes(box_of(other)))) continue;
+    found.keys[found.size++] = key;
+  }
 }
 
 SlotPairChanges PairsOfFew::changes(Crew& crew) {
@@ -76,7 +89,7 @@ void PairsOfFew::sort(Crew& crew, const Keys& keys, Array<std::uint64_t>& scratc
 
 std::size_t PairsOfFew::bytes() const {
   std::size_t sum = scratch_.bytes();
-  for (const Keys* keys : {&partners_, &pairs_, &keys_before_, &keys_now_}) sum += keys->bytes();
+  for (const Keys* keys : {&partners_, &candidates_, &keys_before_, &keys_now_}) sum += keys->bytes();
   for (const Array<SlotPair>* list : {&before_, &now_, &began_, &ended_}) sum += list->bytes();
   return sum;
 }

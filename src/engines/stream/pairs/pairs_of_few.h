@@ -16,19 +16,24 @@
 
 namespace cellsweep::stream {
 
+/// One body after the other is asked for, once by the fat box that it had, and once, when the cells hold
+/// that, by the one that it has: its box lay in the first, and lies in the second. A pair of two that changed
+/// is listed with the first one of them that is asked for as it was before, and with the last one as it is
+/// now.
 class PairsOfFew {
  public:
-  /// The pairs that the removed and the moved bodies had; the cells hold the fat boxes of that time. `fresh`
-  /// is, by slot, not 0 for all that changed.
-  void ask_before(CellTree& cells, const BodyChanges& changes, const std::uint8_t* fresh);
+  /// By slot.
+  enum Mark : std::uint8_t { kUnchanged, kChanged, kAsked };
 
-  /// The pairs that the moved and the inserted bodies have; the cells hold the fat boxes of now.
-  void ask_now(CellTree& cells, const BodyChanges& changes, const std::uint8_t* fresh);
+  /// The bodies of `changes`, which stay there, are marked as changed.
+  void begin(const BodyChanges& changes, const std::uint8_t* marks);
 
-  /// The pairs of a body with the bodies whose boxes in the cells overlap this one, valid until the next
-  /// call.
-  std::span<const std::uint64_t> partners(CellTree& cells, std::span<const BodyFilter> filters, Slot slot,
-                                          const Aabb& box);
+  /// The candidates that a body had, and those that it has: pairs with all whose fat boxes in the cells
+  /// overlap this one. Valid until the next call. After that the body is to be marked as asked for.
+  std::span<const std::uint64_t> had(CellTree& cells, Slot slot, const Aabb& fat_box);
+  std::span<const std::uint64_t> has(CellTree& cells, Slot slot, const Aabb& fat_box);
+  /// Both of a body that stayed in its fat box.
+  void stayed(CellTree& cells, Slot slot, const Aabb& fat_box);
 
   /// What differs. Valid until the next call.
   SlotPairChanges changes(Crew& crew);
@@ -36,13 +41,17 @@ class PairsOfFew {
   std::size_t bytes() const;
 
  private:
+  void find_candidates(CellTree& cells, Slot slot, const Aabb& fat_box);
+  void list_before(Slot slot);
+  void list_now(Slot slot);
   template <class BoxOf>
-  void ask(CellTree& cells, const BodyChanges& changes, std::span<const Slot> slots,
-           const std::uint8_t* fresh, const BoxOf& box_of, Keys& pairs);
+  void list(Slot slot, std::uint8_t left_out, const BoxOf& box_of, Keys& pairs) const;
   static void sort(Crew& crew, const Keys& keys, Array<std::uint64_t>& scratch, Array<SlotPair>& pairs);
 
-  Keys partners_;  // of one body
-  Keys pairs_;     // with these
+  const BodyChanges* bodies_ = nullptr;  // from begin() on
+  const std::uint8_t* marks_ = nullptr;
+  Keys partners_;    // of one body
+  Keys candidates_;  // with these
   Keys keys_before_;
   Keys keys_now_;
   Array<std::uint64_t> scratch_;
