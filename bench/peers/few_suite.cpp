@@ -15,7 +15,8 @@
 #include "bench/peers/grid_oracle.h"
 #include "bench/peers/peer_mode.h"
 #include "bench/peers/peer_table.h"
-#include "bench/peers/undisturbed.h"
+#include "bench/peers/timed_row.h"
+#include "bench/peers/undisturbed_frames.h"
 #include "cellsweep/world/frame_source.h"
 #include "cellsweep/world/scene.h"
 #include "report/quantile.h"
@@ -130,11 +131,7 @@ void run_row(benchmark::State& state, const PeerInfo& info, const FewSetting& se
 void register_row(const PeerInfo& info, const FewSetting& setting) {
   const std::string name =
       text("few/", info.name, "/", setting.scene, "/", setting.bodies, "/", setting.movers);
-  benchmark::RegisterBenchmark(name.c_str(),
-                               [&info, setting](benchmark::State& state) { run_row(state, info, setting); })
-      ->UseManualTime()
-      ->Iterations(1)
-      ->Unit(benchmark::kMicrosecond);
+  register_timed_row(name, [&info, setting](benchmark::State& state) { run_row(state, info, setting); });
 }
 
 }  // namespace

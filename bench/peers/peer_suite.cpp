@@ -12,6 +12,7 @@
 
 #include "bench/peers/peer_check.h"
 #include "bench/peers/peer_table.h"
+#include "bench/peers/timed_row.h"
 #include "report/quantile.h"
 
 namespace cellsweep::bench {
@@ -121,11 +122,7 @@ std::size_t most_bodies_in(std::string_view scene, const PeerInfo& peer) {
 void register_row(const PeerInfo& peer, const PeerSetting& setting) {
   const std::string name = "peers/" + std::string(peer.name) + "/" + setting.scene + "/" +
                            std::to_string(setting.bodies) + "/" + std::string(info_of(setting.mode).name);
-  benchmark::RegisterBenchmark(name.c_str(),
-                               [&peer, setting](benchmark::State& state) { run_row(state, peer, setting); })
-      ->UseManualTime()
-      ->Iterations(1)
-      ->Unit(benchmark::kMicrosecond);
+  register_timed_row(name, [&peer, setting](benchmark::State& state) { run_row(state, peer, setting); });
 }
 
 void register_modes(const PeerInfo& peer, std::size_t scene, std::size_t bodies, GiantSlot giant) {

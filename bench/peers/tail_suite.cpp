@@ -11,7 +11,8 @@
 #include "base/text.h"
 #include "bench/peers/peer_run.h"
 #include "bench/peers/peer_table.h"
-#include "bench/peers/undisturbed.h"
+#include "bench/peers/timed_row.h"
+#include "bench/peers/undisturbed_frames.h"
 #include "report/quantile.h"
 
 namespace cellsweep::bench {
@@ -60,11 +61,7 @@ void run_row(benchmark::State& state, const PeerInfo& peer, const PeerSetting& s
 void register_row(const PeerInfo& peer, const PeerSetting& setting) {
   const std::string name =
       text("p99/", peer.name, "/", setting.scene, "/", setting.bodies, "/", info_of(setting.mode).name);
-  benchmark::RegisterBenchmark(name.c_str(),
-                               [&peer, setting](benchmark::State& state) { run_row(state, peer, setting); })
-      ->UseManualTime()
-      ->Iterations(1)
-      ->Unit(benchmark::kMicrosecond);
+  register_timed_row(name, [&peer, setting](benchmark::State& state) { run_row(state, peer, setting); });
 }
 
 }  // namespace

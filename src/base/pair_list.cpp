@@ -10,7 +10,7 @@ namespace cellsweep {
 
 template <class AnyPair>
 Array<AnyPair>& PairList<AnyPair>::all(Array<AnyPair>& spare) {
-  if (is_merging_) {
+  if (stage_ != Stage::none) {
     merge(std::numeric_limits<std::size_t>::max());
     end_merge(spare);
   }
@@ -33,7 +33,7 @@ template <class AnyPair>
 void PairList<AnyPair>::forget_notes() {
   notes_.clear();
   kept_ = 0;
-  is_merging_ = false;
+  stage_ = Stage::none;
 }
 
 template <class AnyPair>
@@ -45,7 +45,7 @@ template <class AnyPair>
 void PairList<AnyPair>::go_on(Array<AnyPair>& spare) {
   const std::size_t steps = new_notes() * tuning::kStepsOfNote;
   keep_notes();
-  if (!is_merging_) {
+  if (stage_ == Stage::none) {
     if (!are_many(notes_.size(), pairs_.size())) return;
     if (pairs_.size() + notes_.size() <= tuning::kListedAtOnce) return list_noted(spare);
     begin_merge(spare);
@@ -60,16 +60,15 @@ void PairList<AnyPair>::begin_merge(Array<AnyPair>& spare) {
   next_.renew(most);
   sort_.begin(notes_);
   kept_ = 0;
-  is_merging_ = true;
-  is_sorted_ = false;
+  stage_ = Stage::sorting;
 }
 
 // True when all is done.
 template <class AnyPair>
 bool PairList<AnyPair>::merge(std::size_t steps) {
-  if (!is_sorted_) {
+  if (stage_ == Stage::sorting) {
     if (!sort_.go_on(steps)) return false;
-    is_sorted_ = true;
+    stage_ = Stage::merging;
     merge_ = {std::as_const(pairs_).view(), sort_.keys(), next_.data()};
   }
   return merge_.go_on(steps);
@@ -80,12 +79,12 @@ void PairList<AnyPair>::end_merge(Array<AnyPair>& spare) {
   next_.shrink(static_cast<std::size_t>(merge_.end() - next_.data()));
   std::swap(pairs_, next_);
   std::swap(next_, spare);
-  is_merging_ = false;
+  stage_ = Stage::none;
 }
 
 template <class AnyPair>
 void PairList<AnyPair>::give_back() {
-  if (is_merging_) return;
+  if (stage_ != Stage::none) return;
   next_ = {};
   sort_.give_back();
   if (notes_.empty()) notes_ = {};

@@ -24,11 +24,11 @@ class PairList {
   /// Up to date.
   Array<AnyPair>& all(Array<AnyPair>& spare);
 
-  /// But for the changes that wait; to be changed only when none do.
+  /// But for the changes that wait; to be changed only while go_on() has taken none of them up.
   Array<AnyPair>& pairs() { return pairs_; }
   const Array<AnyPair>& pairs() const { return pairs_; }
 
-  bool is_up_to_date() const { return notes_.empty() && !is_merging_; }
+  bool is_up_to_date() const { return notes_.empty() && stage_ == Stage::none; }
 
   /// Room for so many notes more, each of a pair that begins where it is not there and ends where it is.
   void reserve_notes(std::size_t more) { notes_.reserve(notes_.size() + more); }
@@ -53,6 +53,9 @@ class PairList {
   std::size_t bytes() const { return pairs_.bytes() + next_.bytes() + notes_.bytes() + sort_.bytes(); }
 
  private:
+  /// Of the changes that go_on() has taken up.
+  enum class Stage : std::uint8_t { none, sorting, merging };
+
   [[gnu::cold]] void begin_merge(Array<AnyPair>& spare);
   bool merge(std::size_t steps);
   void end_merge(Array<AnyPair>& spare);
@@ -61,11 +64,10 @@ class PairList {
   Array<AnyPair> pairs_;
   List<std::uint64_t> notes_;  // keys, in the order in which they came,
   std::size_t kept_ = 0;       // so many of which are not new
-  bool is_merging_ = false;    // pairs_ with the notes that sort_ took up, into
-  Array<AnyPair> next_;
+  Stage stage_ = Stage::none;
   SteppedSort sort_;
-  bool is_sorted_ = false;
-  AlternatingMerge<AnyPair> merge_;
+  AlternatingMerge<AnyPair> merge_;  // of pairs_ with what was sorted, into
+  Array<AnyPair> next_;
 };
 
 }  // namespace cellsweep

@@ -9,86 +9,22 @@
 
 #include "base/memory/array.h"
 #include "base/tuning.h"
+#include "geometry/bounds.h"
 #include "geometry/box_lanes.h"
+#include "one_shot/coarse_grid.h"
 
 namespace cellsweep::one_shot {
 namespace {
-
-/// Cells on each axis: those along x are the bits of a word.
-constexpr std::int32_t kDims = 64;
 
 /// So many boxes are looked at to tell how the sets lie.
 constexpr std::size_t kVisited = 512;
 /// To leave out fewer than one in so many takes more than it saves.
 constexpr std::size_t kWorthIt = 8;
 
-/// Cells, a bit each, in rows along x.
-using Cells = std::array<std::uint64_t, std::size_t{kDims} * kDims>;
-
-/// What both sets reach into, cut into cells. Which cell a coordinate falls into never decreases with it, so
-/// that boxes which overlap share one.
-class CoarseGrid {
- public:
-  explicit CoarseGrid(const Aabb& space) {
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      const double length = double{space.max[axis]} - double{space.min[axis]};
-      origin_[axis] = space.min[axis];
-      cell_[axis] = static_cast<float>(length / kDims);
-      scale_[axis] = length > 1e-30 ? static_cast<float>(kDims / length) : 0;
-    }
-  }
-
-  /// With a cell more on each side.
-  BoxLanes around(BoxLanes box) const {
-    box.min -= cell_;
-    box.max += cell_;
-    return box;
-  }
-
-  /// Calls `visit(row, bits)` for the rows of cells that a box reaches into, until that returns true. Whether
-  /// it did.
-  template <class Visit>
-  bool any_row(const BoxLanes& box, const Visit& visit) const {
-    const Int4 low = cells_of(box.min);
-    const Int4 high = cells_of(box.max);
-    const std::uint64_t bits = ~std::uint64_t{0} >> (kDims - 1 - (high[0] - low[0])) << low[0];
-    for (std::int32_t z = low[2]; z <= high[2]; ++z) {
-      for (std::int32_t y = low[1]; y <= high[1]; ++y) {
-        if (visit(static_cast<std::size_t>(z) * kDims + static_cast<std::size_t>(y), bits)) return true;
-      }
-    }
-    return false;
-  }
-
- private:
-  // NaN, 0 times what is infinite, becomes 0.
-  Int4 cells_of(Float4 coordinates) const {
-    const Float4 zero{};
-    const Float4 top = zero + static_cast<float>(kDims - 1);
-    Float4 cells = (coordinates - origin_) * scale_;
-    cells = cells > zero ? cells : zero;
-    cells = cells < top ? cells : top;
-    return __builtin_convertvector(cells, Int4);
-  }
-
-  Float4 origin_{};
-  Float4 scale_{};
-  Float4 cell_{};  // its edges
-};
-
 Aabb bounds_of(std::span<const Aabb> boxes) {
-  BoxLanes all(boxes[0]);
-  for (const Aabb& box : boxes) {
-    const BoxLanes lanes(box);
-    all.min = lanes.min < all.min ? lanes.min : all.min;
-    all.max = lanes.max > all.max ? lanes.max : all.max;
-  }
-  Aabb bounds;
-  for (int axis = 0; axis < 3; ++axis) {
-    bounds.min[axis] = all.min[axis];
-    bounds.max[axis] = all.max[axis];
-  }
-  return bounds;
+  Bounds bounds;
+  for (const Aabb& box : boxes) bounds.include(box);
+  return bounds.box();
 }
 
 class Apart {
@@ -176,7 +112,7 @@ class Apart {
     cells_.renew(1);
     for (const std::size_t set : {smaller, 1 - smaller}) {
       if (!mark(grid, set)) return;
-      const Cells& cells = *cells_.data();
+      const CoarseCells& cells = *cells_.data();
       const auto meets = [&](std::size_t row, std::uint64_t bits) { return (cells[row] & bits) != 0; };
       keep_those(1 - set, [&](const BoxLanes& box) { return grid.any_row(box, meets); });
     }
@@ -184,7 +120,7 @@ class Apart {
 
   // The cells that the listed boxes of a set reach into. False when they are too large.
   bool mark(const CoarseGrid& grid, std::size_t set) {
-    Cells& cells = *cells_.data();
+    CoarseCells& cells = *cells_.data();
     cells.fill(0);
     const std::uint64_t most = tuning::kRowsOfApart * boxes_.boxes.size();
     std::uint64_t rows = 0;
@@ -229,7 +165,7 @@ class Apart {
   std::array<std::span<const Aabb>, 2> sets_;
   std::array<Array<std::uint32_t>, 2> listed_;  // places in them, ascending
   Aabb space_;
-  Array<Cells> cells_;  // one, too large for the stack
+  Array<CoarseCells> cells_;  // one, too large for the stack
 };
 
 }  // namespace
