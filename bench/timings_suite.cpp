@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/engine_row.h"
+#include "bench/timed_row.h"
 #include "report/all_engines.h"
 #include "report/frame_clock.h"
 #include "report/hand_over.h"
@@ -86,11 +87,7 @@ void run_row(benchmark::State& state, const std::string& engine) {
 
 void register_timings_suite() {
   for (const std::string engine : kEngines) {
-    benchmark::RegisterBenchmark(("timings/" + engine).c_str(),
-                                 [engine](benchmark::State& state) { run_row(state, engine); })
-        ->UseManualTime()
-        ->Iterations(1)
-        ->Unit(benchmark::kMicrosecond);
+    register_timed_row("timings/" + engine, [engine](benchmark::State& state) { run_row(state, engine); });
   }
 }
 

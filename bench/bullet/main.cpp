@@ -17,6 +17,7 @@
 #include "bench/bullet/question_rows.h"
 #include "bench/bullet/timed_broadphase.h"
 #include "bench/context.h"
+#include "bench/timed_row.h"
 #include "report/quantile.h"
 
 namespace {
@@ -56,13 +57,9 @@ void register_rows() {
       for (const Contender& contender : contenders()) {
         const std::string name = "bullet/" + std::string(scene.name) + "/" + std::to_string(bodies) + "/" +
                                  std::string(contender.name);
-        benchmark::RegisterBenchmark(name.c_str(),
-                                     [&scene, bodies, &contender](benchmark::State& state) {
-                                       run_row(state, scene.name, bodies, contender);
-                                     })
-            ->UseManualTime()
-            ->Iterations(1)
-            ->Unit(benchmark::kMicrosecond);
+        register_timed_row(name, [&scene, bodies, &contender](benchmark::State& state) {
+          run_row(state, scene.name, bodies, contender);
+        });
       }
     }
   }

@@ -11,6 +11,7 @@
 
 #include "bench/bullet/bullet_world.h"
 #include "bench/bullet/contenders.h"
+#include "bench/timed_row.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -119,11 +120,8 @@ void register_questions() {
     for (const Contender& contender : contenders()) {
       const std::string name =
           "bullet/" + std::string(kind) + "/" + std::to_string(kBodies) + "/" + std::string(contender.name);
-      const auto run = [ask = ask, &contender](benchmark::State& state) { run_row(state, contender, ask); };
-      benchmark::RegisterBenchmark(name.c_str(), run)
-          ->UseManualTime()
-          ->Iterations(1)
-          ->Unit(benchmark::kMicrosecond);
+      register_timed_row(
+          name, [ask = ask, &contender](benchmark::State& state) { run_row(state, contender, ask); });
     }
   }
 }

@@ -12,7 +12,7 @@
 
 #include "bench/peers/peer_check.h"
 #include "bench/peers/peer_table.h"
-#include "bench/peers/timed_row.h"
+#include "bench/timed_row.h"
 #include "report/quantile.h"
 
 namespace cellsweep::bench {

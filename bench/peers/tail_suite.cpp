@@ -11,8 +11,8 @@
 #include "base/text.h"
 #include "bench/peers/peer_run.h"
 #include "bench/peers/peer_table.h"
-#include "bench/peers/timed_row.h"
 #include "bench/peers/undisturbed_frames.h"
+#include "bench/timed_row.h"
 #include "report/quantile.h"
 
 namespace cellsweep::bench {

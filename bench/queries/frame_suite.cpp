@@ -10,6 +10,7 @@
 #include "bench/queries/query_check.h"
 #include "bench/queries/query_clock.h"
 #include "bench/queries/query_peer.h"
+#include "bench/timed_row.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -98,11 +99,7 @@ void run_row(benchmark::State& state, const FrameSetting& setting, const QueryPe
 void register_row(const FrameSetting& setting, const QueryPeerInfo& info) {
   const std::string name =
       text("frames/", setting.world, "/", setting.bodies, "/rays/", setting.percent, "/", info.name);
-  benchmark::RegisterBenchmark(name.c_str(),
-                               [=, &info](benchmark::State& state) { run_row(state, setting, info); })
-      ->UseManualTime()
-      ->Iterations(1)
-      ->Unit(benchmark::kMicrosecond);
+  register_timed_row(name, [=, &info](benchmark::State& state) { run_row(state, setting, info); });
 }
 
 }  // namespace

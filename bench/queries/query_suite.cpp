@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "bench/queries/query_clock.h"
 #include "bench/queries/query_stage.h"
+#include "bench/timed_row.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -96,14 +97,6 @@ void run_moved_row(benchmark::State& state, const StageSetting& setting, const Q
   state.SetLabel(hash_text(hash_of(answers)));
 }
 
-template <class Run>
-void register_row(const std::string& name, const Run& run) {
-  benchmark::RegisterBenchmark(name.c_str(), run)
-      ->UseManualTime()
-      ->Iterations(1)
-      ->Unit(benchmark::kNanosecond);
-}
-
 bool is_asked(const QueryPeerInfo& info, std::string_view world, QuestionKind kind) {
   const bool are_points = has_only_points(world);
   return info.does_answer(kind) && !(are_points && (is_ray(kind) || kind == QuestionKind::points)) &&
@@ -113,8 +106,10 @@ bool is_asked(const QueryPeerInfo& info, std::string_view world, QuestionKind ki
 void register_rows_of(const StageSetting& setting, const QuestionKindInfo& kind) {
   for (const QueryPeerInfo& info : query_peer_table()) {
     if (info.only_when_moved || !is_asked(info, setting.world, kind.kind)) continue;
-    register_row(text("queries/", setting.world, "/", setting.bodies, "/", kind.name, "/", info.name),
-                 [=, &info](benchmark::State& state) { run_row(state, setting, info, kind.kind); });
+    register_timed_row(
+        text("queries/", setting.world, "/", setting.bodies, "/", kind.name, "/", info.name),
+        [=, &info](benchmark::State& state) { run_row(state, setting, info, kind.kind); },
+        benchmark::kNanosecond);
   }
 }
 
@@ -125,8 +120,10 @@ void register_moved_rows_of(const StageSetting& setting, const QueryPeerInfo& in
             kKindsAskedWhenMoved.end() ||
         !is_asked(info, setting.world, kind.kind))
       continue;
-    register_row(text("moved/", setting.world, "/", setting.bodies, "/", kind.name, "/", info.name),
-                 [=, &info](benchmark::State& state) { run_moved_row(state, setting, info, kind.kind); });
+    register_timed_row(
+        text("moved/", setting.world, "/", setting.bodies, "/", kind.name, "/", info.name),
+        [=, &info](benchmark::State& state) { run_moved_row(state, setting, info, kind.kind); },
+        benchmark::kNanosecond);
   }
 }
 

@@ -273,8 +273,8 @@ inline constexpr std::size_t kFewFresh = 3;
 /// Candidates among which those with a new box are picked at a time. EPYC, uniform 10,000 and 100,000: with
 /// 64 and with 1,024 it takes the same.
 inline constexpr std::size_t kRun = 256;
-/// To ask the cells who overlaps a body, before and after it moved, takes as long as to test so many
-/// candidates. EPYC, uniform: 1,000 bodies 200, 10,000 350, 1,000,000 700.
+/// To ask the cells once who overlaps a body's fat box takes as long as to test so many candidates. EPYC,
+/// uniform: 1,000 bodies 170, 10,000 210, 100,000 550, 1,000,000 410.
 inline constexpr std::size_t kCandidatesOfQuery = 200;
 /// To test one that is picked takes as long as so many when all are tested. EPYC, AVX-512, stacks of 1,000 in
 /// Bullet: 0.9 of the time that picking all takes.

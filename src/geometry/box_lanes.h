@@ -41,6 +41,16 @@ inline Float4 canonical(Float4 values) {
   return reinterpret_cast<Float4>(reinterpret_cast<Int4>(values) & is_normal);
 }
 
+/// Into which of the cells 0 to `top` each coordinate falls, `scale` of them for each unit of length from
+/// `origin` on: never a lower one for a higher coordinate, whatever rounding does. NaN becomes 0.
+inline Int4 cells_of(Float4 coordinates, Float4 origin, Float4 scale, Float4 top) {
+  const Float4 zero{};
+  Float4 cells = (coordinates - origin) * scale;
+  cells = cells > zero ? cells : zero;
+  cells = cells < top ? cells : top;
+  return __builtin_convertvector(cells, Int4);
+}
+
 /// Lanes 0 to 2 are the axes; what lane 3 holds must not matter.
 struct BoxLanes {
   Float4 min;

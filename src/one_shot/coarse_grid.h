@@ -52,14 +52,10 @@ class CoarseGrid {
   }
 
  private:
-  // NaN, 0 times what is infinite, becomes 0.
+  // An infinite coordinate, times a scale of 0, falls into cell 0.
   Int4 cells_of(Float4 coordinates) const {
-    const Float4 zero{};
-    const Float4 top = zero + static_cast<float>(kCoarseDims - 1);
-    Float4 cells = (coordinates - origin_) * scale_;
-    cells = cells > zero ? cells : zero;
-    cells = cells < top ? cells : top;
-    return __builtin_convertvector(cells, Int4);
+    constexpr auto kTop = static_cast<float>(kCoarseDims - 1);
+    return cellsweep::cells_of(coordinates, origin_, scale_, Float4{kTop, kTop, kTop, kTop});
   }
 
   Float4 origin_{};

@@ -116,15 +116,6 @@ class Grid {
   }
 
  private:
-  // NaN, which a lane without use may hold, becomes 0.
-  static Int4 cells_of(Float4 coordinates, Float4 origin, Float4 scale, Float4 top) {
-    const Float4 zero{};
-    Float4 cells = (coordinates - origin) * scale;
-    cells = cells > zero ? cells : zero;
-    cells = cells < top ? cells : top;
-    return __builtin_convertvector(cells, Int4);
-  }
-
   // Minima lie in lanes 0 to 2 of a load, maxima in lanes 1 to 3 of another.
   Float4 origin_min_{};
   Float4 origin_max_{};
