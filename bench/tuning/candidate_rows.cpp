@@ -49,7 +49,7 @@ class Movers {
     PairsOfFew pairs;
     return quickest_seconds([&] {
       const BodyChanges changes{
-          .boxes = now_, .before = before_, .removed = {}, .moved = moved_, .inserted = {}};
+          .boxes = now_, .before = {before_}, .removed = {}, .moved = moved_, .inserted = {}};
       mark(1);
       pairs.begin(changes, fresh_.data());
       for (const Slot slot : moved_) {

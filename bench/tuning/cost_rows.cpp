@@ -185,7 +185,7 @@ double id_cost(std::size_t count) {
          quickest_seconds_of(20,
                              [&] {
                                IdTable table;
-                               Vector<Slot> slots;
+                               List<Slot> slots;
                                if (!table.insert(ids, slots)) std::abort();
                              }) /
          static_cast<double>(ids.size());

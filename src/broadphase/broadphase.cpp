@@ -137,6 +137,9 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   [[gnu::cold]] Status renew_engine();
   void name_changes(const FoundPairs& unfiltered);
   void tidy();
+  std::size_t bytes_held() const {
+    return bodies_.bytes() + filter_.bytes() + order_.bytes() + pairs_.bytes();
+  }
 
   HandleParts parts_;
   std::shared_ptr<Timeline> timeline_;  // goes after the engine, whose SPEs end before it is written
@@ -144,6 +147,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   std::unique_ptr<Engine> engine_;
   bool engine_is_lost_ = false;   // after a failure; the next update makes a new one
   bool nothing_changed_ = false;  // as prepare() found
+  bool gave_back_ = false;        // bodies and pairs did, what is of use only while many move
   BodyChanges changes_{};         // of the update that is being made
   ProcessMark process_;           // the engine's, whose threads may not be in another one
   Capacity capacity_;
@@ -155,14 +159,15 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   PairFilter filter_;
   PairOrder order_;
   PairSet pairs_;
-  std::size_t bytes_ = 0;  // of bodies and pairs
+  std::size_t bytes_ = 0;  // bytes_held()
   Statistics statistics_;
 };
 
 Broadphase::Impl::~Impl() = default;
 
 Result<PairChanges> Broadphase::Impl::prepare() {
-  pairs_.remember_changes();
+  gave_back_ = bodies_.have_come_to_rest();
+  pairs_.remember_changes(gave_back_);
   const bool anew = engine_is_lost_ || !process_.is_this_process();
   if (anew) {
     if (Status status = renew_engine(); !status.ok()) return status;
@@ -186,15 +191,11 @@ void Broadphase::Impl::commit() {
   if (!nothing_changed_) kept_tree_.note(changes_);
   bodies_.commit();
   ++statistics_.updates;
-  statistics_.bytes += kept_tree_.bytes();
-  if (nothing_changed_) {
-    statistics_.bytes += bytes_;
-    return pairs_.commit_nothing();
-  }
+  if (!nothing_changed_ || gave_back_) bytes_ = bytes_held();
+  statistics_.bytes += kept_tree_.bytes() + bytes_;
+  if (nothing_changed_) return pairs_.commit_nothing();
   engine_is_lost_ = false;
   pairs_.commit();
-  bytes_ = bodies_.bytes() + filter_.bytes() + order_.bytes() + pairs_.bytes();
-  statistics_.bytes += bytes_;
   tidy();
 }
 

@@ -32,8 +32,8 @@ struct CellsToQuery {
 
 /// What happened since the last update that succeeded. A slot is in one list at most, and there once.
 struct BodyChanges {
-  std::span<const Aabb> boxes;   ///< as they are now, by slot; kNobody where nobody is
-  std::span<const Aabb> before;  ///< by slot, of the removed and the moved: what they had; anything of others
+  std::span<const Aabb> boxes;    ///< as they are now, by slot; kNobody where nobody is
+  SlotBoxes before;               ///< of the removed and the moved: what they had
   std::span<const Slot> removed;  ///< given to nobody else before the next update
   std::span<const Slot> moved;    ///< the box may be the one before again
   std::span<const Slot> inserted;

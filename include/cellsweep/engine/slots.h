@@ -3,8 +3,10 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "cellsweep/aabb.h"
 
@@ -21,6 +23,26 @@ inline constexpr Slot kSlotMask = (1U << kSlotBits) - 1;
 /// The box in a slot without a body: NaN, so that it overlaps nothing.
 inline constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
 inline constexpr Aabb kNobody = {{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, kNowhere}};
+
+/// So many consecutive slots are a block.
+inline constexpr std::size_t kSlotBlock = 64;
+
+/// Boxes of some slots, to read: by slot, or in blocks. Of other slots there may be none.
+class SlotBoxes {
+ public:
+  SlotBoxes() = default;
+  SlotBoxes(std::span<const Aabb> by_slot) : by_slot_(by_slot.data()) {}
+  /// The boxes of each block, those that are asked for; null for boxes by slot.
+  SlotBoxes(const Aabb* const* blocks, const Aabb* by_slot) : blocks_(blocks), by_slot_(by_slot) {}
+
+  const Aabb& operator[](Slot slot) const {
+    return blocks_ == nullptr ? by_slot_[slot] : blocks_[slot / kSlotBlock][slot % kSlotBlock];
+  }
+
+ private:
+  const Aabb* const* blocks_ = nullptr;
+  const Aabb* by_slot_ = nullptr;
+};
 
 /// Two slots, `a < b`.
 struct SlotPair {

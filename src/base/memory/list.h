@@ -2,6 +2,7 @@
 /// A growing list of a trivial type whose elements nobody initialises before they are written.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <type_traits>
@@ -28,14 +29,38 @@ class List {
   }
   /// Within what was reserved; elements that are new hold anything.
   void set_size(std::size_t size) { size_ = size; }
+  /// Elements that are new have this value.
+  void resize(std::size_t size, const T& value) {
+    reserve(size);
+    for (std::size_t place = size_; place < size; ++place) memory_.get()[place] = value;
+    size_ = size;
+  }
   /// One more, for which there is room.
   void push(const T& element) { memory_.get()[size_++] = element; }
   void clear() { size_ = 0; }
 
+  /// More behind those that there are.
+  void append(std::span<const T> elements) {
+    reserve(size_ + elements.size());
+    std::copy_n(elements.data(), elements.size(), data() + size_);
+    size_ += elements.size();
+  }
+  void pop() { --size_; }
+  template <class Is>
+  void erase_if(const Is& is) {
+    size_ = static_cast<std::size_t>(std::remove_if(begin(), end(), is) - begin());
+  }
+
   T* data() { return memory_.get(); }
+  const T* data() const { return memory_.get(); }
+  T* begin() { return data(); }
+  T* end() { return data() + size_; }
+  const T* begin() const { return data(); }
+  const T* end() const { return data() + size_; }
   T& operator[](std::size_t place) { return memory_.get()[place]; }
   const T& operator[](std::size_t place) const { return memory_.get()[place]; }
   std::size_t size() const { return size_; }
+  std::size_t capacity() const { return capacity_; }
   bool empty() const { return size_ == 0; }
   std::size_t bytes() const { return capacity_ * sizeof(T); }
   std::span<T> view() { return {memory_.get(), size_}; }

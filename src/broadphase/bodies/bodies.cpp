@@ -63,7 +63,7 @@ Status Bodies::set_filters(std::span<const BodyId> ids, std::span<const BodyFilt
   boxes_.reserve(slots);
   boxes_.reserve_removals(ids.size());
   filters_.reserve(slots, ids.size());
-  make_room(inserted_, inserted_.size() + ids.size());
+  inserted_.reserve(inserted_.size() + ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) set_filter(table_.find(ids[i]), filters[i]);
   return {};
 }
@@ -77,7 +77,7 @@ void Bodies::set_filter(Slot slot, const BodyFilter& filter) {
   choice_.note_other();
   boxes_.remove(slot);
   boxes_.insert({&next, 1}, {&box, 1});
-  inserted_.push_back(next);
+  inserted_.push(next);
   filters_.set(next, filter);
   filters_.move(slot, next);
 }
@@ -94,7 +94,8 @@ Status Bodies::add(Crew& crew, std::span<const Aabb> boxes, std::span<BodyId> id
   if (ids.size() != boxes.size()) return length_status(ids.size(), boxes.size());
   if (!are_valid(boxes)) return find_invalid_boxes({}, boxes);
   if (Status status = check_room(engine, capacity, ids.size()); !status.ok()) return status;
-  slots_.resize(ids.size());
+  slots_.reserve(ids.size());
+  slots_.set_size(ids.size());
   choice_.choose(table_, slots_);
   if (Status status = insert_all(crew, slots_, boxes, {}, engine, capacity); !status.ok()) return status;
   std::copy(slots_.begin(), slots_.end(), ids.begin());
@@ -116,7 +117,7 @@ Status Bodies::move(Crew& crew, std::span<const BodyId> ids, std::span<const Aab
 
 bool Bodies::check_moves(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes) {
   checks_.resize(crew.workers());
-  if (moved_.size() < ids.size()) moved_.resize(ids.size());
+  if (moved_.size() < ids.size()) moved_.resize(ids.size(), 0);
   const HeldBodies held{table_, boxes_};
   crew.run([&](unsigned worker) {
     const Share share = Share::of(ids.size(), worker, crew.active());
@@ -184,7 +185,7 @@ std::vector<BodyId> Bodies::removed_ids() const {
 }
 
 BodyChanges Bodies::begin_update() {
-  if (some_unseen_) std::erase_if(inserted_, [&](Slot slot) { return boxes_.state(slot) == kGone; });
+  if (some_unseen_) inserted_.erase_if([&](Slot slot) { return boxes_.state(slot) == kGone; });
   some_unseen_ = false;
   BodyChanges changes = boxes_.begin_update();
   changes.inserted = inserted_;
@@ -201,6 +202,9 @@ void Bodies::undo() {
 void Bodies::commit() {
   boxes_.commit(inserted_);
   inserted_.clear();
+  if (boxes_.has_come_to_rest()) {
+    for (List<Slot>* list : {&inserted_, &moved_, &slots_}) *list = {};
+  }
   filters_.commit();
   if (!table_.removed().empty()) choice_.note_freed();
   table_.release();
@@ -216,28 +220,28 @@ BodyChanges Bodies::all_as_new() {
   slots_.clear();
   slots_.reserve(size());
   for (Slot slot = 0; slot < boxes.size(); ++slot) {
-    if (boxes[slot].min[0] <= boxes[slot].max[0]) slots_.push_back(slot);
+    if (boxes[slot].min[0] <= boxes[slot].max[0]) slots_.push(slot);
   }
   return {boxes, {}, {}, {}, slots_, size(), filters_.view()};
 }
 
 bool Bodies::tidy() {
   if (!table_.is_sparse()) return false;
-  Vector<Slot> before;
+  List<Slot> before;
   IdTable table = table_.renumbered(before);
   SlotFilters filters = filters_.renumbered(before);
   boxes_.renumber(before);
   filters_ = std::move(filters);
   table_ = std::move(table);
-  inserted_ = Vector<Slot>();
-  moved_ = Vector<Slot>();
-  slots_ = Vector<Slot>();
+  inserted_ = {};
+  moved_ = {};
+  slots_ = {};
   return true;
 }
 
 std::size_t Bodies::bytes() const {
-  return table_.bytes() + boxes_.bytes() + filters_.bytes() +
-         (inserted_.capacity() + moved_.capacity() + slots_.capacity()) * sizeof(Slot);
+  return table_.bytes() + boxes_.bytes() + filters_.bytes() + inserted_.bytes() + moved_.bytes() +
+         slots_.bytes();
 }
 
 }  // namespace cellsweep

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/crew.h"
-#include "base/memory/memory.h"
+#include "base/memory/list.h"
 #include "broadphase/bodies/id_choice.h"
 #include "broadphase/bodies/id_table.h"
 #include "broadphase/bodies/move_check.h"
@@ -63,6 +63,9 @@ class Bodies {
   /// updates, and only when nothing waits.
   bool tidy();
 
+  /// StagedBoxes::has_come_to_rest().
+  bool have_come_to_rest() const { return boxes_.has_come_to_rest(); }
+
   const IdTable& table() const { return table_; }
   std::size_t size() const { return table_.size(); }
   std::size_t bytes() const;
@@ -79,10 +82,10 @@ class Bodies {
   IdChoice choice_;
   StagedBoxes boxes_;
   SlotFilters filters_;
-  Vector<Slot> inserted_;
+  List<Slot> inserted_;
   bool some_unseen_ = false;       // some of the inserted were removed again, and are kGone
-  Vector<Slot> moved_;             // slots of the last call of move(), and whatever was behind them before
-  Vector<Slot> slots_;             // of a call of add(), or of all_as_new()
+  List<Slot> moved_;               // slots of the last call of move(), and whatever was behind them before
+  List<Slot> slots_;               // of a call of add(), or of all_as_new()
   std::vector<MoveCheck> checks_;  // by worker
 };
 

@@ -24,10 +24,10 @@ bool are_consecutive(std::span<const BodyId> ids) {
   return differs == 0 && (ids.empty() || ids.front() <= ids.back());
 }
 
-void append_numbers(Vector<Slot>& numbers, std::size_t count, Slot first) {
-  const std::size_t before = numbers.size();
-  numbers.resize(before + count);
-  std::iota(numbers.begin() + static_cast<std::ptrdiff_t>(before), numbers.end(), first);
+void append_numbers(List<Slot>& numbers, std::size_t count, Slot first) {
+  numbers.reserve(numbers.size() + count);
+  std::iota(numbers.end(), numbers.end() + count, first);
+  numbers.set_size(numbers.size() + count);
 }
 
 /// So many bodies are worth a direct table of so many entries.
@@ -62,7 +62,7 @@ void IdTable::grow_direct(std::span<const BodyId> ids) {
   }
   const std::size_t entries = std::size_t{largest} + 1;
   if (2 * std::size_t{count} < ids.size() || entries <= direct_.size()) return;
-  make_room(direct_, entries);
+  direct_.reserve(entries);
   direct_.resize(entries, kNoSlot);
 }
 
@@ -81,7 +81,7 @@ bool IdTable::can_wait_for_table(std::span<const BodyId> ids) const {
 void IdTable::reserve_for(std::span<const BodyId> ids) {
   make_table();
   grow_direct(ids);
-  make_room(ids_, ids_.size() + ids.size());
+  ids_.reserve(ids_.size() + ids.size());
   if (can_wait_for_table(ids)) return;
   const auto is_sparse_id = [&](BodyId id) { return id >= direct_.size(); };
   const auto sparse = direct_.empty()
@@ -111,10 +111,10 @@ void IdTable::take_slot(BodyId id) {
   const Slot slot = next_slot(0);
   identical_ = identical_ && slot == id;
   if (free_.empty()) {
-    ascending_ = ascending_ && (ids_.empty() || ids_.back() < id);
-    ids_.push_back(id);
+    ascending_ = ascending_ && (ids_.empty() || ids_[ids_.size() - 1] < id);
+    ids_.push(id);
   } else {
-    free_.pop_back();
+    free_.pop();
     ids_[slot] = id;
     ascending_ =
         ascending_ && (slot == 0 || ids_[slot - 1] < id) && (slot + 1 == ids_.size() || id < ids_[slot + 1]);
@@ -122,18 +122,18 @@ void IdTable::take_slot(BodyId id) {
   ++size_;
 }
 
-bool IdTable::insert(std::span<const BodyId> ids, Vector<Slot>& slots) {
+bool IdTable::insert(std::span<const BodyId> ids, List<Slot>& slots) {
   Crew alone(nullptr, 1, Crew::Choice::given);
   return insert(alone, ids, slots);
 }
 
-bool IdTable::insert(Crew& crew, std::span<const BodyId> ids, Vector<Slot>& slots) {
+bool IdTable::insert(Crew& crew, std::span<const BodyId> ids, List<Slot>& slots) {
   if (is_new_run(ids)) {
     insert_new_run(ids, slots);
     return true;
   }
   reserve_for(ids);
-  make_room(slots, slots.size() + ids.size());
+  slots.reserve(slots.size() + ids.size());
   if (!map_all(crew, ids)) return false;
   ++version_;
   if (free_.empty()) {
@@ -141,7 +141,7 @@ bool IdTable::insert(Crew& crew, std::span<const BodyId> ids, Vector<Slot>& slot
     return true;
   }
   for (const BodyId id : ids) {
-    slots.push_back(next_slot(0));
+    slots.push(next_slot(0));
     take_slot(id);
   }
   return true;
@@ -154,10 +154,10 @@ bool IdTable::is_new_run(std::span<const BodyId> ids) const {
          are_consecutive(ids);
 }
 
-void IdTable::insert_new_run(std::span<const BodyId> ids, Vector<Slot>& slots) {
-  make_room(direct_, std::size_t{ids.back()} + 1);
-  make_room(ids_, ids_.size() + ids.size());
-  make_room(slots, slots.size() + ids.size());
+void IdTable::insert_new_run(std::span<const BodyId> ids, List<Slot>& slots) {
+  direct_.reserve(std::size_t{ids.back()} + 1);
+  ids_.reserve(ids_.size() + ids.size());
+  slots.reserve(slots.size() + ids.size());
   direct_.resize(ids.front(), kNoSlot);
   append_numbers(direct_, ids.size(), next_slot(0));
   ++version_;
@@ -165,10 +165,10 @@ void IdTable::insert_new_run(std::span<const BodyId> ids, Vector<Slot>& slots) {
 }
 
 // All of them behind those that there are.
-void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots, bool consecutive) {
+void IdTable::append(std::span<const BodyId> ids, List<Slot>& slots, bool consecutive) {
   const auto first = static_cast<Slot>(ids_.size());
   bool identical = identical_;
-  bool ascending = ascending_ && (first == 0 || ids.empty() || ids_.back() < ids[0]);
+  bool ascending = ascending_ && (first == 0 || ids.empty() || ids_[first - 1] < ids[0]);
   if (consecutive) {
     identical = identical && (ids.empty() || ids[0] == first);
   } else {
@@ -177,7 +177,7 @@ void IdTable::append(std::span<const BodyId> ids, Vector<Slot>& slots, bool cons
   }
   identical_ = identical;
   ascending_ = ascending;
-  ids_.insert(ids_.end(), ids.begin(), ids.end());
+  ids_.append(ids);
   size_ += ids.size();
   append_numbers(slots, ids.size(), first);
 }
@@ -218,13 +218,13 @@ bool IdTable::map_run(std::span<const BodyId> ids) {
 
 void IdTable::reserve_removals(std::size_t count) {
   make_table();
-  make_room(removed_, removed_.size() + count);
-  make_room(free_, free_.size() + removed_.size() + count);
+  removed_.reserve(removed_.size() + count);
+  free_.reserve(free_.size() + removed_.size() + count);
 }
 
 void IdTable::remove(Slot slot) {
   unmap(ids_[slot]);
-  removed_.push_back(slot);
+  removed_.push(slot);
   --size_;
   ++version_;
 }
@@ -235,7 +235,7 @@ Slot IdTable::renew_slot(Slot slot) {
   unmap(id);
   map(id, next);
   take_slot(id);
-  removed_.push_back(slot);
+  removed_.push(slot);
   --size_;
   ++version_;
   return next;
@@ -251,30 +251,30 @@ void IdTable::release() {
   }
   // The lowest slots are given out first: they make ids and slots alike where that is possible.
   sort_numbers(removed_);
-  free_.insert(free_.end(), removed_.rbegin(), removed_.rend());
+  std::ranges::reverse(removed_);
+  free_.append(removed_);
   removed_.clear();
 }
 
-IdTable IdTable::renumbered(Vector<Slot>& before) const {
+IdTable IdTable::renumbered(List<Slot>& before) const {
   before.clear();
   before.reserve(size_);
-  Vector<BodyId> ids;
+  List<BodyId> ids;
   ids.reserve(size_);
   for (Slot slot = 0; slot < ids_.size(); ++slot) {
     if (find(ids_[slot]) != slot) continue;
-    before.push_back(slot);
-    ids.push_back(ids_[slot]);
+    before.push(slot);
+    ids.push(ids_[slot]);
   }
   IdTable fresh;
-  Vector<Slot> slots;
+  List<Slot> slots;
   fresh.insert(ids, slots);
   fresh.version_ = version_ + 1;
   return fresh;
 }
 
 std::size_t IdTable::bytes() const {
-  return (ids_.capacity() + direct_.capacity() + free_.capacity() + removed_.capacity()) * sizeof(BodyId) +
-         sparse_.bytes();
+  return ids_.bytes() + direct_.bytes() + free_.bytes() + removed_.bytes() + sparse_.bytes();
 }
 
 }  // namespace cellsweep

@@ -8,7 +8,7 @@
 
 #include "base/crew.h"
 #include "base/deferred.h"
-#include "base/memory/array.h"
+#include "base/memory/list.h"
 #include "broadphase/bodies/sparse_ids.h"
 #include "cellsweep/engine/slots.h"
 #include "cellsweep/pair.h"
@@ -44,8 +44,8 @@ class IdTable {
   /// Adds bodies and appends the slots that they get. False, and nothing has changed, when one is held or
   /// listed twice. By all workers, where there is work for them; without a crew by this thread. Throws
   /// std::bad_alloc before anything has changed.
-  bool insert(Crew& crew, std::span<const BodyId> ids, Vector<Slot>& slots);
-  bool insert(std::span<const BodyId> ids, Vector<Slot>& slots);
+  bool insert(Crew& crew, std::span<const BodyId> ids, List<Slot>& slots);
+  bool insert(std::span<const BodyId> ids, List<Slot>& slots);
 
   /// The slot that insert() gives out next when it has given out so many.
   Slot next_slot(std::size_t before) const {
@@ -60,13 +60,13 @@ class IdTable {
   /// no memory after reserve_removals() and reserve_slots().
   Slot renew_slot(Slot slot);
   /// Makes room for so many slots in all.
-  void reserve_slots(std::size_t slots) { make_room(ids_, slots); }
+  void reserve_slots(std::size_t slots) { ids_.reserve(slots); }
 
   /// Removes a body that is held, in this slot.
   void remove(Slot slot);
 
   /// Slots of removed bodies, which wait for release().
-  std::span<const Slot> removed() const { return removed_; }
+  std::span<const Slot> removed() const { return removed_.view(); }
 
   /// They are free from now on. With no body left, all memory is given back.
   void release();
@@ -76,7 +76,7 @@ class IdTable {
 
   /// A table of the same bodies with slots 0 ... size() - 1; `before` becomes for each the slot that it had.
   /// Nothing may wait for release().
-  [[gnu::cold]] IdTable renumbered(Vector<Slot>& before) const;
+  [[gnu::cold]] IdTable renumbered(List<Slot>& before) const;
 
   BodyId id(Slot slot) const { return ids_[slot]; }
   /// By slot; of a free slot the id that it had.
@@ -106,20 +106,20 @@ class IdTable {
   bool map_all(Crew& crew, std::span<const BodyId> ids);
   bool map_run(std::span<const BodyId> ids);
   bool is_new_run(std::span<const BodyId> ids) const;
-  void insert_new_run(std::span<const BodyId> ids, Vector<Slot>& slots);
-  void append(std::span<const BodyId> ids, Vector<Slot>& slots, bool consecutive);
+  void insert_new_run(std::span<const BodyId> ids, List<Slot>& slots);
+  void append(std::span<const BodyId> ids, List<Slot>& slots, bool consecutive);
   void take_slot(BodyId id);
 
   std::size_t size_ = 0;
   bool identical_ = true;
   bool ascending_ = true;
   std::uint64_t version_ = 0;
-  Vector<BodyId> ids_;
-  Vector<Slot> direct_;       // slots of ids below its size
+  List<BodyId> ids_;
+  List<Slot> direct_;         // slots of ids below its size
   mutable SparseIds sparse_;  // and of the others,
   Deferred table_;            // once somebody looks one up
-  Vector<Slot> free_;         // the last is given out first
-  Vector<Slot> removed_;      // until release()
+  List<Slot> free_;           // the last is given out first
+  List<Slot> removed_;        // until release()
 };
 
 }  // namespace cellsweep

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include "base/memory/array.h"
 #include "base/per_worker.h"
 #include "broadphase/bodies/box_checks.h"
 #include "geometry/box_lanes.h"
@@ -41,8 +40,8 @@ bool StagedBoxes::are_at_rest(Slot first, std::span<const Aabb> boxes) const {
 
 void StagedBoxes::reserve(std::size_t slots) {
   boxes_.reserve(slots);
-  make_room(states_, slots);
-  if (!next_.empty()) next_.reserve(slots);
+  states_.reserve(slots);
+  if (next_.are_by_slot()) next_.all().reserve(slots);
 }
 
 bool StagedBoxes::stage(Crew& crew, std::span<const Aabb> boxes) {
@@ -70,16 +69,24 @@ void StagedBoxes::insert(std::span<const Slot> slots, std::span<const Aabb> boxe
   for (std::size_t i = 0; i < slots.size(); ++i) {
     if (slots[i] == boxes_.size()) {
       boxes_.push(kNobody);
-      states_.push_back(kGone);
+      states_.push(kGone);
     }
     boxes_[slots[i]] = canonical(boxes[i]);
     states_[slots[i]] = kInserted;
   }
 }
 
-void StagedBoxes::reserve_next() {
-  next_.reserve(boxes_.size());
-  next_.set_size(boxes_.size());
+// So many more may change.
+void StagedBoxes::reserve_next(std::size_t more) {
+  const std::size_t changed = moved_.size() + removed_.size() + more;
+  const bool are_few = SlotBlocks<Aabb>::suit(changed, boxes_.size());
+  if (!are_few) quiet_ = 0;
+  if (next_.are_by_slot()) return;
+  if (are_few) return next_.reserve(boxes_.size(), more);
+  List<Aabb> all;
+  all.reserve(boxes_.capacity());
+  all.set_size(boxes_.size());
+  next_.lay_by_slot(std::move(all));
 }
 
 void StagedBoxes::move(Crew& crew, const MovedBodies& bodies) {
@@ -88,7 +95,10 @@ void StagedBoxes::move(Crew& crew, const MovedBodies& bodies) {
   moved_.reserve(before + count);
   const unsigned workers = bodies.ascends ? crew.active() : 1;
   PerWorker<std::size_t> written(workers);
-  reserve_next();
+  reserve_next(count);
+  if (!next_.are_by_slot()) {
+    for (const Slot slot : bodies.slots) next_.add(slot);
+  }
   Slot* const room = moved_.data() + before;
   if (workers > 1) {
     crew.run([&](unsigned worker) {
@@ -124,7 +134,8 @@ std::size_t StagedBoxes::move_share(const MovedBodies& bodies, Share share, Slot
 Slot* StagedBoxes::move_block(const MovedBodies& block, Slot* moved) {
   const std::size_t count = block.slots.size();
   const Slot first = block.slots[0];
-  const bool is_run = block.clean && block.ascends && block.slots[count - 1] - first == count - 1;
+  const bool is_run =
+      block.clean && block.ascends && next_.are_by_slot() && block.slots[count - 1] - first == count - 1;
   if (is_run && are_at_rest(first, count)) {
     if (std::memcmp(block.boxes.data(), &boxes_[first], block.boxes.size_bytes()) == 0) return moved;
     if (!same_bits(BoxLanes(block.boxes[0]), BoxLanes(boxes_[first]))) {
@@ -159,7 +170,7 @@ Slot* StagedBoxes::move_one(Slot slot, const Aabb& box, Slot* moved) {
 
 void StagedBoxes::reserve_removals(std::size_t count) {
   removed_.reserve(removed_.size() + count);
-  reserve_next();
+  reserve_next(count);
 }
 
 void StagedBoxes::remove(Slot slot) {
@@ -169,39 +180,39 @@ void StagedBoxes::remove(Slot slot) {
     return;
   }
   some_moved_are_gone_ = some_moved_are_gone_ || state == kMoved;
+  if (!next_.are_by_slot()) next_.add(slot);
   next_[slot] = kNobody;
   removed_.push(slot);
 }
 
 BodyChanges StagedBoxes::begin_update() {
   if (some_moved_are_gone_) {
-    const auto is_gone = [&](Slot slot) { return states_[slot] == kGone; };
-    const auto end = std::remove_if(moved_.view().begin(), moved_.view().end(), is_gone);
-    moved_.set_size(static_cast<std::size_t>(end - moved_.view().begin()));
+    moved_.erase_if([&](Slot slot) { return states_[slot] == kGone; });
     some_moved_are_gone_ = false;
   }
   swapped_all_ = moved_.size() > boxes_.size() / 2;
-  if (moved_.size() + removed_.size() > 0) next_.set_size(boxes_.size());
+  if (next_.are_by_slot()) next_.all().set_size(boxes_.size());
   if (swapped_all_) {
     swap_all();
   } else {
     swap_changed();
   }
-  return {boxes(), std::as_const(next_).view(), removed_.view(), moved_.view(), {}, 0};
+  return {boxes(), {next_.blocks(), next_.all().data()}, removed_.view(), moved_.view(), {}, 0};
 }
 
 void StagedBoxes::swap_all() {
+  List<Aabb>& next = next_.all();
   if (moved_.size() < boxes_.size()) {
     for (Slot slot = 0; slot < boxes_.size(); slot += kMoveBlock) {
       const auto end = static_cast<Slot>(std::min(slot + kMoveBlock, boxes_.size()));
       if (are_all(&states_[slot], end - slot, kMoved)) continue;
       for (Slot still = slot; still < end; ++still) {
-        if (states_[still] != kMoved) next_[still] = boxes_[still];
+        if (states_[still] != kMoved) next[still] = boxes_[still];
       }
     }
-    for (const Slot slot : removed_.view()) next_[slot] = kNobody;
+    for (const Slot slot : removed_.view()) next[slot] = kNobody;
   }
-  std::swap(boxes_, next_);
+  std::swap(boxes_, next_.all());
 }
 
 void StagedBoxes::swap_changed() {
@@ -211,7 +222,7 @@ void StagedBoxes::swap_changed() {
 
 void StagedBoxes::undo() {
   if (swapped_all_) {
-    std::swap(boxes_, next_);
+    std::swap(boxes_, next_.all());
   } else {
     swap_changed();
   }
@@ -220,23 +231,32 @@ void StagedBoxes::undo() {
 void StagedBoxes::commit(std::span<const Slot> inserted) {
   for (const Slot slot : moved_.view()) states_[slot] = kAtRest;
   for (const Slot slot : inserted) states_[slot] = kAtRest;
+  if (!next_.are_by_slot()) next_.clear();
   moved_.clear();
   removed_.clear();
+  ++quiet_;
+  if (has_come_to_rest()) give_back();
+}
+
+void StagedBoxes::give_back() {
+  next_ = {};
+  moved_ = {};
+  removed_ = {};
 }
 
 void StagedBoxes::renumber(std::span<const Slot> before) {
   List<Aabb> boxes;
   boxes.reserve(before.size());
   for (const Slot slot : before) boxes.push(boxes_[slot]);
-  Vector<BodyState> states(before.size(), kAtRest);
+  List<BodyState> states;
+  states.resize(before.size(), kAtRest);
   *this = StagedBoxes();
   boxes_ = std::move(boxes);
   states_ = std::move(states);
 }
 
 std::size_t StagedBoxes::bytes() const {
-  return boxes_.bytes() + next_.bytes() + states_.capacity() * sizeof(BodyState) + moved_.bytes() +
-         removed_.bytes();
+  return boxes_.bytes() + next_.bytes() + states_.bytes() + moved_.bytes() + removed_.bytes();
 }
 
 }  // namespace cellsweep

@@ -8,7 +8,8 @@
 
 #include "base/crew.h"
 #include "base/memory/list.h"
-#include "base/memory/memory.h"
+#include "base/memory/slot_blocks.h"
+#include "base/tuning.h"
 #include "cellsweep/engine/engine.h"
 
 namespace cellsweep {
@@ -29,9 +30,9 @@ struct MovedBodies {
   bool ascends = false;         ///< each slot is above the one before: none is there twice
 };
 
-/// Two boxes a slot, once anybody has moved. begin_update() makes the next boxes those that count; then
-/// either commit() forgets the others or undo() brings them back, and none of the three can fail. What throws
-/// std::bad_alloc has changed nothing.
+/// Two boxes for each slot that changes, and for all while many do. begin_update() makes the next boxes those
+/// that count; then either commit() forgets the others or undo() brings them back, and none of the three can
+/// fail. What throws std::bad_alloc has changed nothing.
 class StagedBoxes {
  public:
   std::size_t slots() const { return boxes_.size(); }
@@ -70,6 +71,8 @@ class StagedBoxes {
   void undo();
   /// `inserted` have been seen from now on.
   void commit(std::span<const Slot> inserted);
+  /// The last commit() gave memory back that had been of no use for some updates, for few bodies were named.
+  bool has_come_to_rest() const { return quiet_ == tuning::kQuietToGiveBack; }
 
   /// Slots are numbered anew: each gets what slot `before[slot]` had. Nothing may wait for an update.
   void renumber(std::span<const Slot> before);
@@ -77,22 +80,25 @@ class StagedBoxes {
   std::size_t bytes() const;
 
  private:
-  void reserve_next();
+  void reserve_next(std::size_t more);
+  void lay_next_by_slot();
   std::size_t move_share(const MovedBodies& bodies, Share share, Slot* moved);
   Slot* move_block(const MovedBodies& block, Slot* moved);
   Slot* move_one(Slot slot, const Aabb& box, Slot* moved);
   bool are_at_rest(Slot first, std::size_t count) const;
   void swap_all();
   void swap_changed();
+  [[gnu::cold]] void give_back();
 
   List<Aabb> boxes_;
   // Of those that moved, and kNobody of those that were removed; during an update, before.
-  List<Aabb> next_;
-  Vector<BodyState> states_;
+  SlotBlocks<Aabb> next_;
+  List<BodyState> states_;
   List<Slot> moved_;
   List<Slot> removed_;
   bool some_moved_are_gone_ = false;
   bool swapped_all_ = false;  // by begin_update()
+  std::uint32_t quiet_ = 0;   // updates since many bodies were named
 };
 
 }  // namespace cellsweep

@@ -6,10 +6,10 @@
 
 namespace cellsweep {
 
-void PairSet::give_back_room() {
+void PairSet::give_back_room(bool at_rest) {
   constexpr std::size_t kKept = std::size_t{64} << 10;
   const std::size_t pairs = list_.pairs().size() + began_.size() + ended_.size();
-  const std::size_t enough = 4 * pairs * sizeof(Pair) + kKept;
+  const std::size_t enough = at_rest ? 0 : 4 * pairs * sizeof(Pair) + kKept;
   for (Array<Pair>* list : {&next_began_, &next_ended_, &whole_, &spare_}) {
     if (list->bytes() > enough) *list = Array<Pair>();
   }
@@ -19,8 +19,8 @@ void PairSet::give_back_room() {
   if (list_.bytes() > enough) list_.give_back();
 }
 
-void PairSet::remember_changes() {
-  give_back_room();
+void PairSet::remember_changes(bool at_rest) {
+  give_back_room(at_rest);
   if (!listing_.waits()) return;
   if (std::exchange(only_began_, false)) {
     std::swap(list_.pairs(), began_);  // there were none

@@ -19,8 +19,9 @@ namespace cellsweep {
 class PairSet {
  public:
   /// Makes room for new changes: the last ones will be needed to list all pairs. Memory for many more pairs
-  /// than there are goes back. Before next_began() and next_ended() are written.
-  void remember_changes();
+  /// than there are goes back, and for any where the world has just come to rest. Before next_began() and
+  /// next_ended() are written.
+  void remember_changes(bool at_rest = false);
 
   /// To be written by an update, ascending. Nothing of it shows before commit().
   Array<Pair>& next_began() { return next_began_; }
@@ -45,7 +46,7 @@ class PairSet {
   std::size_t bytes() const;
 
  private:
-  [[gnu::cold]] void give_back_room();
+  [[gnu::cold]] void give_back_room(bool at_rest);
   void note_changes() const;
   void list_all() const;
 

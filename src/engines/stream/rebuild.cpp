@@ -47,7 +47,7 @@ bool Rebuild::begin(const BodyChanges& changes) {
   if (lasts_ == 0) return false;
   watch_.begin(changes);
   shares_.begin();
-  fat_boxes_.begin_prepared();
+  fat_boxes_.begin_prepared(changes.boxes);
   holds_memory_ = true;
   stage_ = kBegun;
   return true;

@@ -23,7 +23,7 @@ std::size_t Search::generous_limit() const {
 void Search::find_all(FatBoxes& fat_boxes, std::span<const Aabb> boxes, std::size_t most_swept) {
   if (fat_boxes.have_slack()) {
     try {
-      return find_among({fat_boxes.data(boxes), boxes.size()}, generous_limit(), most_swept);
+      return find_among({fat_boxes.by_slot(boxes), boxes.size()}, generous_limit(), most_swept);
     } catch (const TooManyPairs&) {
       fat_boxes.drop_slack();
     }

@@ -29,6 +29,8 @@ Stream::Stream(StreamParts parts)
       rebuild_(crew_, fat_boxes_, search_, overlaps_),
       fat_box_choice_(!parts_.finder && parts_.margin == 0, parts_.kernels->sweep != nullptr) {}
 
+Stream::~Stream() = default;
+
 Capacity Stream::capacity() const {
   return {kSlotMask, "", text("a slot's number has ", kSlotBits, " bits")};
 }
@@ -186,7 +188,7 @@ bool Stream::find_of_few(const BodyChanges& changes, PhaseTimer& timer, FoundPai
   try {
     overlaps_.change_cells_of_few(search_.cells(), changes, fat_boxes_.changes());
     timer.lap("cells");
-    found = overlaps_.find_of_few(search_.cells(), changes, fat_boxes_.data(changes.boxes));
+    found = overlaps_.find_of_few(search_.cells(), changes, fat_boxes_);
   } catch (const TooMuchWork&) {
     overlaps_.forget_few(changes);
     return false;
@@ -281,11 +283,11 @@ FoundPairs Stream::counted(const FoundPairs& found) {
 StreamView Stream::view(std::span<const Aabb> boxes) const {
   StreamView view;
   Bounds bounds;
-  const Aabb* fat = fat_boxes_.data(boxes);
-  for (std::size_t slot = 0; slot < boxes.size(); ++slot) {
-    if (!(fat[slot].min[0] <= fat[slot].max[0])) continue;  // nobody
-    view.fat_boxes.push_back(fat[slot]);
-    bounds.include(fat[slot]);
+  for (Slot slot = 0; slot < boxes.size(); ++slot) {
+    const Aabb& fat = fat_boxes_.of(slot, boxes[slot]);
+    if (!(fat.min[0] <= fat.max[0])) continue;  // nobody
+    view.fat_boxes.push_back(fat);
+    bounds.include(fat);
   }
   list_cell_bounds(search_.cells().root(), bounds.box(), view.cells);
   return view;

@@ -37,6 +37,9 @@ struct StreamParts {
 class Stream final : public Engine, public HasFinder {
  public:
   [[gnu::cold]] explicit Stream(StreamParts parts);
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+  [[gnu::cold]] ~Stream() override;
 
   Capacity capacity() const override;
   Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) override;

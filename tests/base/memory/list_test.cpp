@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <utility>
+#include <vector>
 
 #include "base/memory/starved.h"
 
@@ -69,11 +70,36 @@ TEST(List, MayBeWrittenInItsRoomBeforeItIsThatLong) {
   EXPECT_GE(list.bytes(), 16U);
 }
 
+TEST(List, GrowsToASizeWithOneValue) {
+  List<int> list = list_of({1, 2});
+  list.resize(5, 7);
+  EXPECT_THAT(list.view(), ElementsAre(1, 2, 7, 7, 7));
+  list.resize(1, 9);
+  EXPECT_THAT(list.view(), ElementsAre(1));
+  list.resize(2, 9);
+  EXPECT_THAT(list.view(), ElementsAre(1, 9));
+}
+
+TEST(List, TakesMoreBehindThoseThatThereAreAndLosesSome) {
+  List<int> list = list_of({1, 2});
+  list.append(list_of({3, 4, 5, 6}));
+  list.append({});
+  EXPECT_THAT(list.view(), ElementsAre(1, 2, 3, 4, 5, 6));
+  list.erase_if([](int number) { return number % 3 == 0; });
+  EXPECT_THAT(list.view(), ElementsAre(1, 2, 4, 5));
+  list.pop();
+  EXPECT_THAT(list.view(), ElementsAre(1, 2, 4));
+}
+
 TEST(List, IsAsItWasWhenItCannotGrow) {
   List<int> list = list_of({5, 6, 7});
   EXPECT_TRUE(fails_at(1, [&] { list.reserve(10'000); }));
   EXPECT_THAT(list.view(), ElementsAre(5, 6, 7));
   list.reserve(10'000);
+  EXPECT_THAT(list.view(), ElementsAre(5, 6, 7));
+  const std::vector<int> more(100'000);
+  EXPECT_TRUE(fails_at(1, [&] { list.append(more); }));
+  EXPECT_TRUE(fails_at(1, [&] { list.resize(100'000, 1); }));
   EXPECT_THAT(list.view(), ElementsAre(5, 6, 7));
   List<int> empty;
   EXPECT_TRUE(fails_at(1, [&] { empty.reserve(1); }));

@@ -41,7 +41,7 @@ class IdChoiceTest : public testing::Test {
     table_.release();
   }
   void number_anew() {
-    Vector<Slot> before;
+    List<Slot> before;
     table_ = table_.renumbered(before);
   }
 

@@ -15,7 +15,7 @@ using Ids = std::vector<BodyId>;
 
 /// The slots that the ids got; fails the test when they were refused.
 inline std::vector<Slot> insert(IdTable& table, const Ids& ids) {
-  Vector<Slot> slots;
+  List<Slot> slots;
   EXPECT_TRUE(table.insert(ids, slots));
   return {slots.begin(), slots.end()};
 }

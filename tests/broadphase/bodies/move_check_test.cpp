@@ -20,7 +20,7 @@ namespace {
 class MoveCheckTest : public testing::Test {
  protected:
   void hold(const Ids& ids) {
-    Vector<Slot> slots;
+    List<Slot> slots;
     ASSERT_TRUE(table_.insert(ids, slots));
     held_.reserve(table_.slot_count());
     held_.insert(slots, boxes_from(1000, ids.size()));

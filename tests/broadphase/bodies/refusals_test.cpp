@@ -26,7 +26,7 @@ constexpr Aabb kReversed = {{0, 7.5F, 0}, {1, 3.25F, 1}};
 
 IdTable table_with(const Ids& ids) {
   IdTable table;
-  Vector<Slot> slots;
+  List<Slot> slots;
   EXPECT_TRUE(table.insert(ids, slots));
   return table;
 }

@@ -11,8 +11,10 @@
 #include <set>
 #include <vector>
 
+#include "base/memory/starved.h"
 #include "base/numbers_of_workers.h"
 #include "base/thread_pool.h"
+#include "base/tuning.h"
 #include "broadphase/bodies/shown.h"
 #include "contract/random.h"
 
@@ -30,10 +32,11 @@ std::vector<Slot> slots_from(Slot first, std::size_t count) {
   return slots;
 }
 
-/// A hundred bodies at rest, each at twice its number.
+/// A thousand bodies at rest, each at twice its number.
 class StagedBoxesTest : public testing::TestWithParam<unsigned> {
  protected:
-  static constexpr std::size_t kBodies = 100;
+  static constexpr std::size_t kBodies = 1000;
+  static constexpr std::size_t kFew = kBodies / (2 * kSlotBlock);
 
   void SetUp() override {
     boxes_.reserve(kBodies);
@@ -147,6 +150,76 @@ TEST_P(StagedBoxesTest, TellAMovedBodyThatIsRemovedAsRemoved) {
   }
 }
 
+// A box for each that moves, and its neighbours by slot; for all only while many do.
+TEST_P(StagedBoxesTest, TakeMemoryForBoxesOfThoseThatChangeOnly) {
+  const std::size_t at_rest = boxes_.bytes();
+  const auto bytes_while = [&](std::size_t movers) {
+    move(slots_from(0, movers), boxes_from(-500, movers));
+    const std::size_t bytes = boxes_.bytes() - at_rest;
+    boxes_.begin_update();
+    boxes_.commit({});
+    return bytes;
+  };
+  const std::size_t of_few = bytes_while(kFew);
+  EXPECT_GT(of_few, 0U);
+  EXPECT_LE(of_few, kBodies * sizeof(Aabb) * 3 / 4);
+  EXPECT_GE(bytes_while(kBodies / 2), kBodies * sizeof(Aabb));
+  for (std::uint32_t quiet = 1; quiet < tuning::kQuietToGiveBack; ++quiet) {
+    EXPECT_FALSE(boxes_.has_come_to_rest());
+    EXPECT_GE(boxes_.bytes() - at_rest, kBodies * sizeof(Aabb));
+    move({5}, {box_at(static_cast<float>(quiet))});
+    boxes_.begin_update();
+    boxes_.commit({});
+  }
+  EXPECT_TRUE(boxes_.has_come_to_rest());
+  EXPECT_EQ(boxes_.bytes(), at_rest);
+  EXPECT_THAT(moved(), IsEmpty());
+  move({kBodies - 1, 5}, {box_at(1), box_at(2)});
+  EXPECT_THAT(moved(), ElementsAre(kBodies - 1, 5));
+}
+
+// Few moves that wait for the update go on by slot with many.
+TEST_P(StagedBoxesTest, KeepWhatFewMovedToWhenManyDo) {
+  move({3, 900}, {box_at(-1), box_at(-2)});
+  boxes_.reserve_removals(1);
+  boxes_.remove(77);
+  std::vector<Slot> many = slots_from(100, 400);
+  move(many, boxes_from(5000, many.size()));
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const BodyChanges changes = boxes_.begin_update();
+    EXPECT_EQ(bits(changes.boxes[3]), bits(box_at(-1)));
+    EXPECT_EQ(bits(changes.boxes[900]), bits(box_at(-2)));
+    EXPECT_EQ(bits(changes.before[900]), bits(box_at(1800)));
+    EXPECT_EQ(bits(changes.boxes[77]), bits(kNobody));
+    EXPECT_EQ(bits(changes.before[77]), bits(box_at(154)));
+    EXPECT_EQ(changes.moved.size(), 402U);
+    boxes_.undo();
+  }
+}
+
+TEST_P(StagedBoxesTest, AreAsTheyWereWhereverMemoryEnds) {
+  for (const std::size_t movers : {std::size_t{1}, kFew, kBodies / 2}) {
+    bool failed = true;
+    for (std::uint64_t nth = 1; failed; ++nth) {
+      StagedBoxes boxes;
+      boxes.reserve(kBodies);
+      boxes.insert(all_, boxes_from(0, kBodies));
+      boxes.begin_update();
+      boxes.commit(all_);
+      const auto slots = slots_from(2, movers);
+      const auto next = boxes_from(-900, movers);
+      failed = fails_at(nth, [&] { boxes.move(crew_, {slots, next, true, true}); });
+      const BodyChanges changes = boxes.begin_update();
+      EXPECT_EQ(changes.moved.size(), failed ? 0 : movers);
+      for (Slot slot = 0; slot < kBodies; ++slot) {
+        const bool has_moved = !failed && slot >= 2 && slot < 2 + movers;
+        ASSERT_EQ(bits(changes.boxes[slot]),
+                  bits(has_moved ? next[slot - 2] : box_at(2.0F * static_cast<float>(slot))));
+      }
+    }
+  }
+}
+
 /// Random calls, and plain arrays of what they should have led to.
 class RandomStages : public StagedBoxesTest {
  protected:
@@ -155,7 +228,7 @@ class RandomStages : public StagedBoxesTest {
     std::vector<Slot> slots = slots_from(0, next_.size());
     std::erase_if(slots, [&](Slot slot) { return bits(next_[slot]) == bits(kNobody); });
     if (random_.one_in(2)) random_.shuffle(slots);
-    if (random_.one_in(2)) slots.resize(random_.below(slots.size()));
+    if (random_.one_in(2)) slots.resize(random_.below(random_.one_in(2) ? kFew : slots.size()));
     std::vector<Aabb> boxes;
     for (const Slot slot : slots)
       boxes.push_back(random_.one_in(4) ? seen_[slot] : box_at(static_cast<float>(random_.whole(0, 9))));

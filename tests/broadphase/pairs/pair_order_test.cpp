@@ -27,11 +27,11 @@ class PairOrderTest : public testing::TestWithParam<unsigned> {
  protected:
   void hold(const Ids& ids) {
     table_ = {};
-    Vector<Slot> slots;
+    List<Slot> slots;
     ASSERT_TRUE(table_.insert(ids, slots));
   }
   void replace(BodyId gone, BodyId next) {
-    Vector<Slot> slots;
+    List<Slot> slots;
     table_.reserve_removals(1);
     table_.remove(table_.find(gone));
     ASSERT_TRUE(table_.insert({&next, 1}, slots));
@@ -167,7 +167,7 @@ TEST_P(PairOrderTest, IsRightWhenAllBodiesHaveBeenReplacedByOthers) {
   table_.remove(1);
   EXPECT_THAT(name({{0, 1}}, {}), ElementsAre(Pair{10, 20}));
   table_.release();
-  Vector<Slot> slots;
+  List<Slot> slots;
   ASSERT_TRUE(table_.insert(Ids{7, 5}, slots));
   EXPECT_THAT(name({{0, 1}}, {}), ElementsAre(Pair{5, 7}));
 }

@@ -86,7 +86,7 @@ class Caller {
     engine_.calls.clear();
     Statistics statistics;
     bodies_ += inserted_.size() - removed_.size();
-    const BodyChanges changes{boxes_, before_, removed_, moved_, inserted_, bodies_};
+    const BodyChanges changes{boxes_, {before_}, removed_, moved_, inserted_, bodies_};
     EXPECT_TRUE(engine_.update(changes, statistics).ok());
     before_ = boxes_;
     removed_.clear();

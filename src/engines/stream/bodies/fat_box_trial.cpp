@@ -31,7 +31,7 @@ bool FatBoxTrial::go_on(Crew& crew, const BodyChanges& changes) {
   if (moves == 0) return true;
   BodyChanges of_these{};
   of_these.boxes = std::span(boxes_).first(count_);
-  of_these.before = std::span(before).first(count_);
+  of_these.before = {std::span(before).first(count_)};
   of_these.moved = std::span(moved).first(moves);
   of_these.bodies = count_;
   fat_boxes_.take(crew, of_these, count_);

@@ -10,18 +10,70 @@
 #include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {
+namespace {
+
+List<Aabb> copy_of(std::span<const Aabb> boxes) {
+  List<Aabb> copy;
+  copy.reserve(boxes.size());
+  copy.set_size(boxes.size());
+  std::ranges::copy(boxes, copy.data());
+  return copy;
+}
+
+/// Those of the last update, which the cells hold.
+List<Aabb> boxes_before(const BodyChanges& changes) {
+  List<Aabb> boxes = copy_of(changes.boxes);
+  for (const Slot slot : changes.moved) boxes[slot] = changes.before[slot];
+  for (const Slot slot : changes.removed) boxes[slot] = changes.before[slot];
+  return boxes;
+}
+
+}  // namespace
+
 void FatBoxes::begin_update(const BodyChanges& changes) {
   changes_.clear();
   ++updates_;
-  if (!slack_ && !changes.moved.empty()) make_slack(changes);
-  if (slack_ && courses_.size() < changes.boxes.size()) make_room_for(changes.boxes.size());
+  slack_ = slack_ || !changes.moved.empty();
+  if (!slack_) return;
+  const std::size_t slots = changes.boxes.size();
+  if (fat_.are_by_slot()) {
+    fat_.all().resize(slots, kNobody);
+    courses_.all().resize(slots, course_of_long_ago());
+  } else if (SlotBlocks<Aabb>::suit(changes.moved.size(), slots)) {
+    add_moved(changes);
+  } else {
+    lay_by_slot(boxes_before(changes));
+  }
 }
 
-void FatBoxes::make_room_for(std::size_t slots) {
-  make_room(fat_, slots);
-  make_room(courses_, slots);
-  fat_.resize(slots, kNobody);
-  courses_.resize(slots, course_of_long_ago());
+// Of bodies that move for the first time: what the cells hold.
+void FatBoxes::add_moved(const BodyChanges& changes) {
+  fat_.reserve(changes.boxes.size(), changes.moved.size());
+  courses_.reserve(changes.boxes.size(), changes.moved.size());
+  for (const Slot slot : changes.moved) {
+    if (!fat_.add(slot)) continue;
+    courses_.add(slot);
+    fat_[slot] = changes.before[slot];
+    courses_[slot] = course_of_long_ago();
+  }
+}
+
+// Of bodies that have none, these boxes.
+void FatBoxes::lay_by_slot(List<Aabb> boxes) {
+  List<Course> courses;
+  courses.resize(boxes.size(), course_of_long_ago());
+  courses_.lay_by_slot(std::move(courses));
+  fat_.lay_by_slot(std::move(boxes));
+}
+
+const Aabb* FatBoxes::by_slot(std::span<const Aabb> boxes) {
+  if (!slack_) return boxes.data();
+  if (!fat_.are_by_slot()) lay_by_slot(copy_of(boxes));
+  return fat_.all().data();
+}
+
+void FatBoxes::begin_prepared(std::span<const Aabb> boxes) {
+  prepared_ = copy_of({by_slot(boxes), boxes.size()});
 }
 
 FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::size_t most_listed) {
@@ -44,18 +96,10 @@ void FatBoxes::refit(Crew& crew, const BodyChanges& changes) {
   renew_all(crew, changes);
 }
 
-// The boxes as they were: the cells hold these.
-void FatBoxes::make_slack(const BodyChanges& changes) {
-  fat_.assign(changes.boxes.begin(), changes.boxes.end());
-  for (const Slot slot : changes.moved) fat_[slot] = changes.before[slot];
-  for (const Slot slot : changes.removed) fat_[slot] = changes.before[slot];
-  slack_ = true;
-}
-
 void FatBoxes::drop_slack() {
-  fat_ = Vector<Aabb>();
+  fat_ = {};
+  courses_ = {};
   drop_prepared();
-  courses_ = Vector<Course>();
   slack_ = false;
 }
 
@@ -66,7 +110,7 @@ std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
   crew.run([&](unsigned worker) {
     const Share share = Share::of(moved.size(), worker, crew.active());
     std::size_t count = 0;
-    const Aabb* const fat = fat_.data();
+    const SlotBoxes fat(fat_.blocks(), fat_.all().data());
     const Aabb* const boxes = changes.boxes.data();
     std::uint8_t* const escapes = escapes_.data();
     for (std::size_t i = share.first; i < share.last; ++i) {
@@ -86,6 +130,7 @@ std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
 // short, would not last.
 void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
   if (!slack_) return;
+  by_slot(changes.boxes);
   for (const Slot slot : changes.removed) fat_[slot] = kNobody;
   for (const Slot slot : changes.inserted) fat_[slot] = changes.boxes[slot];
   crew.run([&](unsigned worker) {
@@ -137,8 +182,8 @@ void FatBoxes::list(const BodyChanges& changes, std::size_t count) {
 }
 
 void FatBoxes::list_removed(Slot slot, const Aabb& before) {
-  changes_.push({slot, true, false, slack_ ? fat_[slot] : before, kNobody});
-  if (slack_) fat_[slot] = kNobody;
+  changes_.push({slot, true, false, of(slot, before), kNobody});
+  if (has(slot)) fat_[slot] = kNobody;
 }
 
 // A body that leaves its fat box gets one for a number of updates that differs from body to body, so that
@@ -195,7 +240,7 @@ float FatBoxes::reach_of(unsigned halvings) {
 
 void FatBoxes::list_inserted(Slot slot, const Aabb& now) {
   changes_.push({slot, false, true, kNobody, now});
-  if (slack_) fat_[slot] = now;
+  if (has(slot)) fat_[slot] = now;
 }
 
 void FatBoxes::give_back() {
@@ -204,8 +249,7 @@ void FatBoxes::give_back() {
 }
 
 std::size_t FatBoxes::bytes() const {
-  return (fat_.capacity() + prepared_.capacity()) * sizeof(Aabb) + courses_.capacity() * sizeof(Course) +
-         escapes_.bytes() + changes_.bytes();
+  return fat_.bytes() + courses_.bytes() + prepared_.bytes() + escapes_.bytes() + changes_.bytes();
 }
 
 }  // namespace cellsweep::stream

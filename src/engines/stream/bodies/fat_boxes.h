@@ -9,7 +9,7 @@
 #include "base/crew.h"
 #include "base/memory/array.h"
 #include "base/memory/list.h"
-#include "base/memory/memory.h"
+#include "base/memory/slot_blocks.h"
 #include "cellsweep/engine/slots.h"
 
 namespace cellsweep {
@@ -30,7 +30,8 @@ struct FatBoxChange {
 /// Every body has two boxes: its own, and a fat box around it in which it may move about. Fat boxes are what
 /// the cells hold; while a body stays inside of its own, no cell changes. It is the box itself until the body
 /// moves, and from then on covers where the body would be some updates later if it kept its course, and, for
-/// one that trembles, as much to either side as makes it last.
+/// one that trembles, as much to either side as makes it last. While few bodies move, only these have one in
+/// memory.
 class FatBoxes {
  public:
   /// `margin` is StreamOptions::margin.
@@ -55,15 +56,15 @@ class FatBoxes {
   /// Fat boxes for later: prepared(), by slot. prepare() makes those of some bodies, by place in the list of
   /// moved ones, to last for so many updates from `from` ahead on; others keep those that they have. As long
   /// as no body came or went, use_prepared() puts them in the place of those that there are, before a take().
-  void begin_prepared() { prepared_ = fat_; }
+  void begin_prepared(std::span<const Aabb> boxes);
   void prepare(Crew& crew, const BodyChanges& changes, Share places, float from, float updates);
-  std::span<const Aabb> prepared() const { return prepared_; }
-  void use_prepared() { fat_.swap(prepared_); }
+  std::span<const Aabb> prepared() const { return prepared_.view(); }
+  void use_prepared() { std::swap(fat_.all(), prepared_); }
   /// Whether most of the bodies that moved have left the fat boxes that there are, or will within so many
   /// updates if they keep their course: some tell.
   [[gnu::cold]] bool are_being_left(const BodyChanges& changes, float updates) const;
   /// Forgets them, and their memory.
-  void drop_prepared() { prepared_ = Vector<Aabb>(); }
+  void drop_prepared() { prepared_ = List<Aabb>(); }
 
   /// Gives memory back that the next update may ask for again; changes() may lie there no longer.
   [[gnu::cold]] void give_back();
@@ -74,8 +75,13 @@ class FatBoxes {
   /// Every fat box is its box again; for a new start.
   void drop_slack();
 
-  /// By slot, for the boxes that the last take() was given; kNobody where there is no body.
-  const Aabb* data(std::span<const Aabb> boxes) const { return slack_ ? fat_.data() : boxes.data(); }
+  /// That of a body that moved in the last take().
+  const Aabb& operator[](Slot slot) const { return fat_[slot]; }
+  /// That of any slot, which had this box in the last take(); kNobody where there is no body.
+  const Aabb& of(Slot slot, const Aabb& box) const { return has(slot) ? fat_[slot] : box; }
+  /// All, by slot, for the boxes that the last take() was given. Puts them in that order, which may throw
+  /// std::bad_alloc.
+  const Aabb* by_slot(std::span<const Aabb> boxes);
 
   std::size_t bytes() const;
 
@@ -90,22 +96,23 @@ class FatBoxes {
   };
 
   Course course_of_long_ago() const;
-  void make_slack(const BodyChanges& changes);
+  bool has(Slot slot) const { return slack_ && fat_.has(slot); }
+  [[gnu::cold]] void lay_by_slot(List<Aabb> boxes);
+  void add_moved(const BodyChanges& changes);
   Aabb grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates);
   static void judge(Course& course, unsigned age, float step);
   static float reach_of(unsigned halvings);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
   void begin_update(const BodyChanges& changes);
-  [[gnu::cold]] void make_room_for(std::size_t slots);
   void renew_all(Crew& crew, const BodyChanges& changes);
   void list(const BodyChanges& changes, std::size_t count);
   void list_removed(Slot slot, const Aabb& before);
   void list_moved(Slot slot, const Aabb& before, const Aabb& now);
   void list_inserted(Slot slot, const Aabb& now);
 
-  Vector<Aabb> fat_;  // by slot; none while all are the boxes themselves
-  Vector<Aabb> prepared_;
-  Vector<Course> courses_;       // by slot, as long as fat_
+  SlotBlocks<Aabb> fat_;         // a body without one has its box for a fat box
+  SlotBlocks<Course> courses_;   // of the same bodies
+  List<Aabb> prepared_;          // by slot
   Array<std::uint8_t> escapes_;  // by place in the list of moved bodies: it left its fat box
   List<FatBoxChange> changes_;
   float margin_;

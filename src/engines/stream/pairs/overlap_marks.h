@@ -18,7 +18,7 @@ namespace cellsweep::stream {
 /// Boxes as they were at the last test, by slot.
 struct BoxesBefore {
   const Aabb* boxes = nullptr;          ///< as they are now
-  const Aabb* before = nullptr;         ///< of the bodies that changed
+  SlotBoxes before;                     ///< of the bodies that changed
   const std::uint8_t* fresh = nullptr;  ///< not 0 of those
 };
 

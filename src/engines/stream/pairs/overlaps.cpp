@@ -26,7 +26,9 @@ bool Overlaps::are_in_order(const BodyChanges& changes) const {
   return !are_pairs_ || before_.size() > 0 || changes.ids_ascend;
 }
 
+// Everything was found anew, which takes as many steps: an update of few finds its marks there.
 FoundPairs Overlaps::compare(const BodyChanges& changes) {
+  grow_fresh(changes);
   marks_say_ = are_pairs_ ? Marks::all_overlap : Marks::true_of_it;
   if (!are_in_order(changes)) return {.more_began = list_.found()};
   const std::span<const SlotPair> now = list_.pairs(crew_, room_);
@@ -66,7 +68,7 @@ void Overlaps::repair_marks(const BodyChanges& changes) {
   } else {
     crew_.plan(candidates.size(), tuning::kTestGuess);
     mark_fresh(changes, 1);
-    marks_.test_all(crew_, candidates, {changes.boxes.data(), changes.before.data(), fresh_.data()});
+    marks_.test_all(crew_, candidates, {changes.boxes.data(), changes.before, fresh_.data()});
     mark_fresh(changes, 0);
     tests_ += candidates.size();
   }
@@ -126,7 +128,7 @@ void Overlaps::forget_few(const BodyChanges& changes) {
   mark_fresh(changes, PairsOfFew::kUnchanged);
 }
 
-FoundPairs Overlaps::find_of_few(CellTree& cells, const BodyChanges& changes, const Aabb* fat_boxes) {
+FoundPairs Overlaps::find_of_few(CellTree& cells, const BodyChanges& changes, const FatBoxes& fat_boxes) {
   for (const Slot slot : changes.moved) {
     if (fresh_[slot] == PairsOfFew::kAsked) continue;
     few_.stayed(cells, slot, fat_boxes[slot]);
@@ -149,7 +151,7 @@ void Overlaps::clear() {
   list_ = {};
   marks_ = {};
   few_ = {};
-  fresh_ = Vector<std::uint8_t>();
+  fresh_ = {};
   room_ = {};
   before_ = {};
   are_pairs_ = true;
@@ -177,13 +179,12 @@ void Overlaps::mark_fresh(std::span<const FatBoxChange> fat_changes, std::uint8_
 }
 
 void Overlaps::grow_fresh(const BodyChanges& changes) {
-  make_room(fresh_, changes.boxes.size());
   fresh_.resize(changes.boxes.size(), 0);
 }
 
 std::size_t Overlaps::bytes() const {
   return list_.bytes() + prepared_.bytes() + marks_.bytes() + few_.bytes() + room_.bytes() + before_.bytes() +
-         ended_.bytes() + fresh_.capacity();
+         ended_.bytes() + fresh_.bytes();
 }
 
 }  // namespace cellsweep::stream

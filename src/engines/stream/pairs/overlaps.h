@@ -9,7 +9,7 @@
 
 #include "base/crew.h"
 #include "base/memory/array.h"
-#include "base/memory/memory.h"
+#include "base/memory/list.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/cell_tree.h"
@@ -62,11 +62,11 @@ class Overlaps {
   /// Whether so few bodies changed that the cells should be asked for their pairs.
   bool are_few(const BodyChanges& changes) const;
   /// Asks the cells, and changes them, one body at a time; then asks of the others that moved, in their fat
-  /// boxes, by slot. These throw TooMuchWork; then forget_few() makes everything but the cells what it was,
+  /// boxes. These throw TooMuchWork; then forget_few() makes everything but the cells what it was,
   /// and all is to be found anew.
   void change_cells_of_few(CellTree& cells, const BodyChanges& changes,
                            std::span<const FatBoxChange> fat_changes);
-  FoundPairs find_of_few(CellTree& cells, const BodyChanges& changes, const Aabb* fat_boxes);
+  FoundPairs find_of_few(CellTree& cells, const BodyChanges& changes, const FatBoxes& fat_boxes);
   [[gnu::cold]] void forget_few(const BodyChanges& changes);
 
   /// Nobody is left: all pairs end, and the memory goes back.
@@ -102,10 +102,10 @@ class Overlaps {
   bool are_pairs_ = true;  // all candidates
   Marks marks_say_ = Marks::all_overlap;
   PairRoom room_;
-  Array<SlotPair> before_;      // the candidates that were replaced, until they were compared with those now,
-  bool were_pairs_ = false;     // all of which overlapped
-  Array<SlotPair> ended_;       // when nobody was left
-  Vector<std::uint8_t> fresh_;  // by slot, 0 between updates
+  Array<SlotPair> before_;    // the candidates that were replaced, until they were compared with those now,
+  bool were_pairs_ = false;   // all of which overlapped
+  Array<SlotPair> ended_;     // when nobody was left
+  List<std::uint8_t> fresh_;  // by slot, 0 between updates
   std::uint64_t tests_ = 0;
 };
 

@@ -26,7 +26,7 @@ class FatBoxTrialTest : public testing::Test {
     before_ = std::exchange(now_, boxes);
     BodyChanges changes{};
     changes.boxes = now_;
-    changes.before = before_;
+    changes.before = {before_};
     changes.moved = slots_;
     changes.bodies = kInMotion;
     return changes;

@@ -79,16 +79,15 @@ class FatBoxesTest : public testing::TestWithParam<unsigned> {
     end_update(Extent::all);
   }
 
-  BodyChanges changes() const { return {boxes_, before_, removed_, moved_, inserted_, bodies()}; }
+  BodyChanges changes() const { return {boxes_, {before_}, removed_, moved_, inserted_, bodies()}; }
 
   void end_update(Extent extent) {
-    const Aabb* const fat = fat_.data(boxes_);
-    if (extent == Extent::all) known_.assign(fat, fat + boxes_.size());
     known_.resize(boxes_.size(), kNobody);
     for (Slot slot = 0; slot < boxes_.size(); ++slot) {
-      EXPECT_TRUE(same(fat[slot], known_[slot])) << "slot " << slot << " has a fat box that was not listed";
-      EXPECT_TRUE(std::isnan(boxes_[slot].min[0]) ? same(fat[slot], kNobody)
-                                                  : encloses(fat[slot], boxes_[slot]));
+      const Aabb& fat = fat_.of(slot, boxes_[slot]);
+      if (extent == Extent::all) known_[slot] = fat;
+      EXPECT_TRUE(same(fat, known_[slot])) << "slot " << slot << " has a fat box that was not listed";
+      EXPECT_TRUE(std::isnan(boxes_[slot].min[0]) ? same(fat, kNobody) : encloses(fat, boxes_[slot]));
     }
     before_ = boxes_;
     moved_.clear();
@@ -130,7 +129,7 @@ TEST_P(FatBoxesTest, AreTheBoxesThemselvesUntilABodyMoves) {
   insert(uniform_boxes(50, 1));
   EXPECT_EQ(take(0), Extent::all);
   EXPECT_FALSE(fat_.have_slack());
-  EXPECT_EQ(fat_.data(boxes_), boxes_.data());
+  EXPECT_EQ(fat_.by_slot(boxes_), boxes_.data());
   insert({along_x(boxes_[0], 30)});
   remove(3);
   EXPECT_EQ(take(), Extent::listed);
@@ -328,7 +327,7 @@ TEST_P(FatBoxesTest, MayBePreparedForLaterAPartAtATime) {
   };
   go_on();
   take(0);
-  fat_.begin_prepared();
+  fat_.begin_prepared(boxes_);
   for (std::size_t part = 0; part < 3; ++part) {
     go_on();
     std::vector<Slot> moved(60);
@@ -337,7 +336,7 @@ TEST_P(FatBoxesTest, MayBePreparedForLaterAPartAtATime) {
     for (Slot slot = 0; slot < 60; ++slot) before[slot] = along_x(boxes_[slot], slot == 7 ? 0 : -0.01F);
     ASSERT_EQ(take(), Extent::inside);
     const auto ahead = static_cast<float>(3 - part) - 0.5F;
-    fat_.prepare(crew_, {boxes_, before, {}, moved, {}, 60}, {20 * part, 20 * part + 20}, ahead, 5);
+    fat_.prepare(crew_, {boxes_, {before}, {}, moved, {}, 60}, {20 * part, 20 * part + 20}, ahead, 5);
   }
   const std::vector<Aabb> prepared(fat_.prepared().begin(), fat_.prepared().end());
   for (int update = 0; update < 5; ++update) {
@@ -346,7 +345,7 @@ TEST_P(FatBoxesTest, MayBePreparedForLaterAPartAtATime) {
       ASSERT_TRUE(encloses(prepared[slot], boxes_[slot])) << "slot " << slot << ", update " << update;
   }
   fat_.use_prepared();
-  EXPECT_TRUE(same(fat_.data(boxes_)[3], prepared[3]));
+  EXPECT_TRUE(same(fat_.by_slot(boxes_)[3], prepared[3]));
 }
 
 TEST_P(FatBoxesTest, AreTheBoxesAgainWhenSlackIsDropped) {
@@ -358,17 +357,61 @@ TEST_P(FatBoxesTest, AreTheBoxesAgainWhenSlackIsDropped) {
   const std::size_t bytes = fat_.bytes();
   fat_.drop_slack();
   EXPECT_FALSE(fat_.have_slack());
-  EXPECT_EQ(fat_.data(boxes_), boxes_.data());
+  EXPECT_EQ(fat_.by_slot(boxes_), boxes_.data());
   EXPECT_LE(fat_.bytes() + 500 * sizeof(Aabb), bytes) << "their memory is given back";
 }
 
-TEST_P(FatBoxesTest, EncloseTheirBoxesThroughAnyChanges) {
+TEST_P(FatBoxesTest, OfFewAmongManyTakeLittleMemory) {
+  constexpr std::size_t kBodies = 10'000;
+  insert(uniform_boxes(kBodies, 1));
+  take(0);
+  const std::size_t bytes = fat_.bytes();
+  for (const Slot slot : {Slot{7}, Slot{5000}, Slot{kBodies - 1}}) move(slot, along_x(boxes_[slot], 0.05F));
+  remove(8);
+  remove(300);
+  EXPECT_EQ(take(), Extent::listed);
+  EXPECT_EQ(listed(), 5U);
+  EXPECT_LE(fat_.bytes() - bytes, kBodies * sizeof(Aabb) / 8);
+  const Aabb* const all = fat_.by_slot(boxes_);
+  for (Slot slot = 0; slot < kBodies; ++slot) ASSERT_TRUE(same(all[slot], fat(slot))) << slot;
+  EXPECT_GE(fat_.bytes(), kBodies * sizeof(Aabb));
+  move(7, along_x(boxes_[7], 0.05F));
+  insert(8, boxes_[9]);
+  EXPECT_EQ(take(), Extent::listed);
+}
+
+TEST_P(FatBoxesTest, OfFewAreThoseOfManyOnceManyMove) {
+  insert(uniform_boxes(2000, 1));
+  take(0);
+  move(1000, along_x(boxes_[1000], 0.05F));
+  take();
+  const Aabb before = fat(1000);
+  for (Slot slot = 0; slot < 800; ++slot) move(slot, along_x(boxes_[slot], 0.05F));
+  EXPECT_EQ(take(), Extent::listed);
+  EXPECT_EQ(listed(), 800U);
+  EXPECT_TRUE(same(fat(1000), before));
+}
+
+/// What happens at random.
+struct RandomChanges {
+  std::size_t slots = 0;
+  std::size_t many = 0;  ///< changes at most in one of ten updates, in others a dozen
+  std::size_t few = 0;   ///< may be listed in one of four updates, in others all
+};
+
+class FatBoxesAtRandom : public FatBoxesTest {
+ protected:
+  void expect_enclosed(const RandomChanges& changes);
+};
+
+void FatBoxesAtRandom::expect_enclosed(const RandomChanges& changes) {
+  const auto& [slots, many, few] = changes;
   contract::Random random(1);
-  insert(uniform_boxes(200, 2));
+  insert(uniform_boxes(slots, 2));
   take(0);
   for (int step = 0; step < 300; ++step) {
     std::set<Slot> changed;
-    for (std::size_t i = random.below(step % 10 == 0 ? 150 : 12); i > 0; --i) {
+    for (std::size_t i = random.below(step % 10 == 0 ? many : 12); i > 0; --i) {
       const auto slot = static_cast<Slot>(random.below(boxes_.size() + 2));
       if (!changed.insert(slot).second) continue;
       if (slot >= boxes_.size() || std::isnan(boxes_[slot].min[0])) {
@@ -381,14 +424,27 @@ TEST_P(FatBoxesTest, EncloseTheirBoxesThroughAnyChanges) {
       }
     }
     if (changed.empty()) continue;
-    const std::size_t most = random.one_in(4) ? 3 : kAny;
+    const std::size_t most = random.one_in(4) ? few : kAny;
     const Extent extent = take(most);
     EXPECT_TRUE(extent != Extent::listed || listed() <= most);
     if (HasFailure()) return;
   }
 }
 
+TEST_P(FatBoxesAtRandom, EncloseBoxesThroughAnyChanges) {
+  expect_enclosed({.slots = 200, .many = 150, .few = 3});
+}
+
+TEST_P(FatBoxesAtRandom, EncloseBoxesThroughChangesOfFewAmongMany) {
+  expect_enclosed({.slots = 3000, .many = 12, .few = kAny});
+}
+
+TEST_P(FatBoxesAtRandom, EncloseBoxesThroughChangesOfFewAmongManyThatMayNotBeListed) {
+  expect_enclosed({.slots = 3000, .many = 12, .few = 3});
+}
+
 INSTANTIATE_TEST_SUITE_P(Workers, FatBoxesTest, numbers_of_workers());
+INSTANTIATE_TEST_SUITE_P(Workers, FatBoxesAtRandom, numbers_of_workers());
 
 }  // namespace
 }  // namespace cellsweep::stream

@@ -117,7 +117,7 @@ TEST_P(OverlapMarksTest, SayWhichOverlappedBeforeSomeBoxesChanged) {
     const Pairs expected = truth();
     const std::vector<Aabb> before = boxes_;
     move_some();
-    marks_.test_all(crew_, candidates_, BoxesBefore{boxes_.data(), before.data(), fresh_.data()});
+    marks_.test_all(crew_, candidates_, BoxesBefore{boxes_.data(), SlotBoxes(before), fresh_.data()});
     EXPECT_EQ(marked(), expected);
   }
 }
