@@ -161,8 +161,9 @@ void CandidateList::list_pairs_of(Crew& crew, const std::uint8_t* changed, Array
   listed.shrink(size);
 }
 
-void CandidateList::give_back(Crew& crew, PairRoom& room) {
-  pairs(crew, room);
+// What is noted waits on.
+void CandidateList::give_back(Crew& crew) {
+  sort_found(crew);
   for (Array<SlotPair>* list : {&began_, &ended_}) *list = {};
   keys_ = {};
   list_.give_back();

@@ -60,8 +60,8 @@ class CandidateList {
 
   std::size_t size() const { return size_; }
 
-  /// Gives memory back that the next call may ask for again.
-  [[gnu::cold]] void give_back(Crew& crew, PairRoom& room);
+  /// Gives memory back that the next call may ask for again. The keys that it was given may go.
+  [[gnu::cold]] void give_back(Crew& crew);
 
   /// Bytes held.
   std::size_t bytes() const;

@@ -159,7 +159,7 @@ void Overlaps::clear() {
 }
 
 void Overlaps::give_back() {
-  list_.give_back(crew_, room_);
+  list_.give_back(crew_);
   marks_.give_back();
   few_ = {};
   room_ = {};

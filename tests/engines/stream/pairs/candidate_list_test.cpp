@@ -209,9 +209,27 @@ TEST_P(CandidateListTest, GivesBackWhatItHasNoUseFor) {
   Parts few{{1, 2}, {4, 5}};
   list_.replace(few.view());
   EXPECT_EQ(list_.pairs(crew_, room_).size(), 2U);
-  list_.give_back(crew_, room_);
+  list_.give_back(crew_);
   EXPECT_LE(list_.bytes(), 64U << 10);
   EXPECT_THAT(list_.pairs(crew_, room_), ElementsAre(SlotPair{1, 2}, SlotPair{4, 5}));
+}
+
+// The keys that it was given lie in memory that goes, too.
+TEST_P(CandidateListTest, KeepsWhatIsNotedAndWhatItWasGivenWhenItGivesBack) {
+  {
+    Parts found{{4, 5}, {1, 2}, {8, 9}};
+    list_.replace(found.view());
+    list_.begin_notes(crew_, room_);
+    const std::vector<std::uint64_t> began = {pair_key(SlotPair{2, 7}), pair_key(SlotPair{0, 1})};
+    const std::vector<std::uint64_t> ended = {pair_key(SlotPair{4, 5})};
+    EXPECT_TRUE(list_.note(began, true));
+    EXPECT_TRUE(list_.note(ended, false));
+    list_.give_back(crew_);
+    EXPECT_THAT(list_.found(), IsEmpty());
+  }
+  EXPECT_EQ(list_.size(), 4U);
+  EXPECT_THAT(list_.pairs(crew_, room_),
+              ElementsAre(SlotPair{0, 1}, SlotPair{1, 2}, SlotPair{2, 7}, SlotPair{8, 9}));
 }
 
 TEST_P(CandidateListTest, StaysAsItIsWhenNothingChanges) {
