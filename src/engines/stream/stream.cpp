@@ -264,6 +264,7 @@ FoundPairs Stream::find_anew(const BodyChanges& changes, std::size_t most_swept,
   changed_ += bodies_;
   timer.lap("cells");
   overlaps_.replace(search_.found(), !fat_boxes_.have_slack());
+  if (search_.has_cells()) overlaps_.make_room_for_few(changes);
   if (overlaps_.are_in_order(changes)) {
     overlaps_.put_in_order();
     timer.lap("sort");

@@ -26,9 +26,7 @@ bool Overlaps::are_in_order(const BodyChanges& changes) const {
   return !are_pairs_ || before_.size() > 0 || changes.ids_ascend;
 }
 
-// Everything was found anew, which takes as many steps: an update of few finds its marks there.
 FoundPairs Overlaps::compare(const BodyChanges& changes) {
-  grow_fresh(changes);
   marks_say_ = are_pairs_ ? Marks::all_overlap : Marks::true_of_it;
   if (!are_in_order(changes)) return {.more_began = list_.found()};
   const std::span<const SlotPair> now = list_.pairs(crew_, room_);
@@ -79,7 +77,7 @@ SlotPairChanges Overlaps::change_candidates(const BodyChanges& changes,
                                             std::span<const FatBoxChange> fat_changes,
                                             const CellTree& cells) {
   if (!are_pairs_) repair_marks(changes);
-  grow_fresh(changes);
+  make_room_for_few(changes);
   mark_fresh(fat_changes, 1);
   const SlotPairChanges found = list_.change(crew_, room_, cells.touched(), fresh_.data());
   mark_fresh(fat_changes, 0);
@@ -168,7 +166,7 @@ void Overlaps::give_back() {
 }
 
 void Overlaps::mark_fresh(const BodyChanges& changes, std::uint8_t mark) {
-  grow_fresh(changes);
+  make_room_for_few(changes);
   for (const Slot slot : changes.removed) fresh_[slot] = mark;
   for (const Slot slot : changes.moved) fresh_[slot] = mark;
   for (const Slot slot : changes.inserted) fresh_[slot] = mark;
@@ -178,7 +176,7 @@ void Overlaps::mark_fresh(std::span<const FatBoxChange> fat_changes, std::uint8_
   for (const FatBoxChange& change : fat_changes) fresh_[change.slot] = mark;
 }
 
-void Overlaps::grow_fresh(const BodyChanges& changes) {
+void Overlaps::make_room_for_few(const BodyChanges& changes) {
   fresh_.resize(changes.boxes.size(), 0);
 }
 

@@ -59,6 +59,8 @@ class Overlaps {
   /// Tests the candidates, after they changed by `of_candidates`.
   FoundPairs test(const BodyChanges& changes, const SlotPairChanges& of_candidates);
 
+  /// Everything was found anew, which takes as many steps: the first update of few finds room for its marks.
+  void make_room_for_few(const BodyChanges& changes);
   /// Whether so few bodies changed that the cells should be asked for their pairs.
   bool are_few(const BodyChanges& changes) const;
   /// Asks the cells, and changes them, one body at a time; then asks of the others that moved, in their fat
@@ -86,7 +88,6 @@ class Overlaps {
   /// What the marks say of the update before.
   enum class Marks { all_overlap, true_of_it, stale };
 
-  void grow_fresh(const BodyChanges& changes);
   void mark_fresh(const BodyChanges& changes, std::uint8_t mark);
   void mark_fresh(std::span<const FatBoxChange> fat_changes, std::uint8_t mark);
   SlotPairChanges compare_marked(const BodyChanges& changes, std::span<const SlotPair> before,
