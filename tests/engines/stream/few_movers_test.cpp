@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "base/tuning.h"
 #include "engines/stream/worlds.h"
 
 namespace cellsweep::stream {
@@ -121,8 +122,8 @@ class FewMovers : public testing::TestWithParam<unsigned> {
 
 TEST_P(FewMovers, LeaveExactlyThePairsOfBruteForce) {
   World world(GetParam(), kBodies, {.threads = GetParam()});
-  for (int frame = 0; frame < 250 && !HasFailure(); ++frame) {
-    if (world.random().one_in(12)) world.move_all();
+  for (int frame = 0; frame < 400 && !HasFailure(); ++frame) {
+    if (frame >= 150 && world.random().one_in(12)) world.move_all();
     for (int i = world.random().whole(0, 3); i > 0; --i) world.move_one();
     if (world.random().one_in(4)) world.remove_one();
     if (world.random().one_in(4)) world.insert_one();
@@ -164,6 +165,40 @@ TEST(OneMover, CostsTheSameAmongFewAndAmongMany) {
       EXPECT_LT(work.of_update(), 4000U) << bodies << " bodies, frame " << frame;
     }
   }
+}
+
+TEST(OneMover, TakesNoMemoryForTheOthers) {
+  constexpr std::size_t kBodies = 20'000;
+  const std::vector<Aabb> boxes = uniform_boxes(kBodies, 5);
+  Broadphase engine = engine_with(boxes);
+  ASSERT_TRUE(engine.update().ok());
+  const std::size_t at_rest = engine.statistics().bytes;
+  for (const BodyId id : {BodyId{7}, BodyId{kBodies - 1}, BodyId{10'000}}) {
+    Aabb box = boxes[id];
+    box.max[0] += 0.1F;
+    ASSERT_TRUE(engine.move(id, box).ok());
+    ASSERT_TRUE(engine.update().ok());
+    EXPECT_LT(engine.statistics().bytes - at_rest, 4 * kBodies);
+  }
+}
+
+TEST(WorldThatCameToRest, TakesHalfOfTheMemory) {
+  constexpr std::size_t kBodies = 8000;
+  std::vector<Aabb> boxes = uniform_boxes(kBodies, 5);
+  Broadphase engine = engine_with(boxes);
+  for (int frame = 0; frame < 20; ++frame) {
+    for (Aabb& box : boxes) {
+      box.min[0] += 0.02F;
+      box.max[0] += 0.02F;
+    }
+    move_every(engine, boxes, 1);
+    ASSERT_TRUE(engine.update().ok());
+  }
+  const std::size_t moving = engine.statistics().bytes;
+  for (std::uint32_t quiet = 0; quiet < tuning::kQuietToGiveBack + 2; ++quiet)
+    ASSERT_TRUE(engine.update().ok());
+  EXPECT_LT(engine.statistics().bytes, moving / 2);
+  EXPECT_TRUE(std::ranges::equal(engine.pairs(), pairs_among(boxes)));
 }
 
 }  // namespace
