@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "base/memory/memory.h"
 
@@ -18,10 +19,14 @@ class List {
 
  public:
   List() = default;
-  List(List&&) noexcept = default;
-  List& operator=(List&&) noexcept = default;
-  // Written out: Clang 14 calls the one that it would make, but makes none where only a template calls it.
-  ~List() { memory_.reset(); }
+  List(List&& other) noexcept { swap(other); }
+  List& operator=(List&& other) noexcept {
+    List(std::move(other)).swap(*this);
+    return *this;
+  }
+  ~List() {
+    if (memory_ != nullptr) give_grown(reinterpret_cast<std::byte*>(memory_), bytes());
+  }
 
   /// Room for so many elements in all; a list that grows a little at a time seldom moves.
   void reserve(std::size_t size) {
@@ -32,11 +37,11 @@ class List {
   /// Elements that are new have this value.
   void resize(std::size_t size, const T& value) {
     reserve(size);
-    for (std::size_t place = size_; place < size; ++place) memory_.get()[place] = value;
+    for (std::size_t place = size_; place < size; ++place) memory_[place] = value;
     size_ = size;
   }
   /// One more, for which there is room.
-  void push(const T& element) { memory_.get()[size_++] = element; }
+  void push(const T& element) { memory_[size_++] = element; }
   void clear() { size_ = 0; }
 
   /// More behind those that there are.
@@ -51,33 +56,40 @@ class List {
     size_ = static_cast<std::size_t>(std::remove_if(begin(), end(), is) - begin());
   }
 
-  T* data() { return memory_.get(); }
-  const T* data() const { return memory_.get(); }
+  T* data() { return memory_; }
+  const T* data() const { return memory_; }
   T* begin() { return data(); }
   T* end() { return data() + size_; }
   const T* begin() const { return data(); }
   const T* end() const { return data() + size_; }
-  T& operator[](std::size_t place) { return memory_.get()[place]; }
-  const T& operator[](std::size_t place) const { return memory_.get()[place]; }
+  T& operator[](std::size_t place) { return memory_[place]; }
+  const T& operator[](std::size_t place) const { return memory_[place]; }
   std::size_t size() const { return size_; }
   std::size_t capacity() const { return capacity_; }
   bool empty() const { return size_ == 0; }
-  std::size_t bytes() const { return capacity_ * sizeof(T); }
-  std::span<T> view() { return {memory_.get(), size_}; }
-  std::span<const T> view() const { return {memory_.get(), size_}; }
+  std::size_t bytes() const { return capacity_ * kBytes; }
+  std::span<T> view() { return {memory_, size_}; }
+  std::span<const T> view() const { return {memory_, size_}; }
 
  private:
+  static constexpr std::size_t kBytes = sizeof(T);  // NOLINT(bugprone-sizeof-expression): of a pointer, too
+
   // Once, not wherever a list may grow.
   [[gnu::noinline]] void grow(std::size_t size) {
     const std::size_t more = capacity_ + capacity_ / 2;
     const std::size_t wanted = size > more ? size : more;
-    auto* larger = grow_memory(reinterpret_cast<std::byte*>(memory_.get()), bytes(), wanted * sizeof(T));
-    static_cast<void>(memory_.release());
-    memory_.reset(reinterpret_cast<T*>(larger));
+    memory_ =
+        reinterpret_cast<T*>(grow_memory(reinterpret_cast<std::byte*>(memory_), bytes(), wanted * kBytes));
     capacity_ = wanted;
   }
 
-  Memory<T> memory_;
+  void swap(List& other) {
+    std::swap(memory_, other.memory_);
+    std::swap(size_, other.size_);
+    std::swap(capacity_, other.capacity_);
+  }
+
+  T* memory_ = nullptr;
   std::size_t size_ = 0;
   std::size_t capacity_ = 0;
 };

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <new>
 
 #ifdef __linux__
 #include <sys/mman.h>
+#include <unistd.h>
 #endif
 
 namespace cellsweep {
@@ -26,13 +29,68 @@ bool must_fail() {
   return fails_in.load(std::memory_order_relaxed) != 0 && fails_in.fetch_sub(1) == 1;
 }
 
-// The system takes whole pages only.
-void ask_for_huge_pages([[maybe_unused]] std::byte* memory, [[maybe_unused]] std::size_t size) {
 #ifdef __linux__
+
+/// Blocks that grow are mappings of their own from this size on. Of smaller ones the C library may have
+/// memory whose pages are there already, which takes less than to have them moved once.
+constexpr std::size_t kMapped = std::size_t{8} << 20;
+
+bool is_mapped(std::size_t bytes) {
+  return bytes >= kMapped;
+}
+
+std::size_t page_size() {
+  return static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+std::size_t in_pages(std::size_t bytes) {
+  const std::size_t page = page_size();
+  if (bytes > std::numeric_limits<std::size_t>::max() - page) throw std::bad_alloc();
+  return (bytes + page - 1) / page * page;
+}
+
+/// For all pages that the memory lies in: where some of a mapping were left out, the system would not move it
+/// when it grows.
+void ask_for_huge_pages(void* memory, std::size_t size) {
   if (size < kHugePage || size > kMostWithHugePages) return;
-  const std::size_t before = -reinterpret_cast<std::uintptr_t>(memory) % kHugePage;
-  if (before < size) madvise(memory + before, (size - before) / kHugePage * kHugePage, MADV_HUGEPAGE);
+  const std::size_t before = reinterpret_cast<std::uintptr_t>(memory) % page_size();
+  madvise(static_cast<std::byte*>(memory) - before, in_pages(before + size), MADV_HUGEPAGE);
+}
+
+/// Null where there is none.
+void* grow_mapped(std::byte* memory, std::size_t held, std::size_t bytes) {
+  const std::size_t size = in_pages(bytes);
+  void* larger = is_mapped(held)
+                     ? mremap(memory, in_pages(held), size, MREMAP_MAYMOVE)
+                     : mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (larger == MAP_FAILED) return nullptr;
+  if (memory == nullptr || is_mapped(held)) return larger;
+  ask_for_huge_pages(larger, bytes);
+  std::memcpy(larger, memory, held);
+  std::free(memory);
+  return larger;
+}
+
+void give_mapped(std::byte* memory, std::size_t bytes) {
+  munmap(memory, in_pages(bytes));
+}
+
+#else
+
+bool is_mapped(std::size_t) {
+  return false;
+}
+void ask_for_huge_pages(void*, std::size_t) {}
+void* grow_mapped(std::byte*, std::size_t, std::size_t) {
+  return nullptr;
+}
+void give_mapped(std::byte*, std::size_t) {}
+
 #endif
+
+void note_taking() {
+  if (must_fail()) throw std::bad_alloc();
+  if (!was_taken.load(std::memory_order_relaxed)) was_taken.store(true, std::memory_order_relaxed);
 }
 
 /// Null where there is none.
@@ -44,13 +102,13 @@ void* take_from_system(std::size_t bytes, std::size_t alignment) {
   } else if (posix_memalign(&memory, alignment, bytes) != 0) {
     memory = nullptr;
   }
-  if (memory != nullptr) ask_for_huge_pages(static_cast<std::byte*>(memory), bytes);
+  if (memory != nullptr) ask_for_huge_pages(memory, bytes);
   return memory;
 }
 
 [[gnu::cold]] std::byte* grow_from_source(std::byte* memory, std::size_t held, std::size_t bytes) {
   std::byte* larger = take_memory(bytes);
-  std::memcpy(larger, memory, std::min(held, bytes));
+  if (memory != nullptr) std::memcpy(larger, memory, std::min(held, bytes));
   give_memory(memory);
   return larger;
 }
@@ -58,9 +116,8 @@ void* take_from_system(std::size_t bytes, std::size_t alignment) {
 }  // namespace
 
 std::byte* take_memory(std::size_t bytes, std::size_t alignment) {
-  if (must_fail()) throw std::bad_alloc();
+  note_taking();
   bytes = std::max(bytes, std::size_t{1});
-  if (!was_taken.load(std::memory_order_relaxed)) was_taken.store(true, std::memory_order_relaxed);
   void* memory = source.take == nullptr
                      ? take_from_system(bytes, alignment)
                      : source.take(source.context, bytes, std::max(alignment, alignof(std::max_align_t)));
@@ -69,13 +126,18 @@ std::byte* take_memory(std::size_t bytes, std::size_t alignment) {
 }
 
 std::byte* grow_memory(std::byte* memory, std::size_t held, std::size_t bytes) {
-  if (memory == nullptr) return take_memory(bytes);
   if (source.take != nullptr) return grow_from_source(memory, held, bytes);
-  if (must_fail()) throw std::bad_alloc();
-  auto* larger = static_cast<std::byte*>(std::realloc(memory, bytes));
+  note_taking();
+  void* const larger = is_mapped(bytes) ? grow_mapped(memory, held, bytes)
+                                        : std::realloc(memory, std::max(bytes, std::size_t{1}));
   if (larger == nullptr) throw std::bad_alloc();
   ask_for_huge_pages(larger, bytes);
-  return larger;
+  return static_cast<std::byte*>(larger);
+}
+
+void give_grown(std::byte* memory, std::size_t bytes) {
+  if (source.give != nullptr || !is_mapped(bytes)) return give_memory(memory);
+  give_mapped(memory, bytes);
 }
 
 void give_memory(void* memory) {

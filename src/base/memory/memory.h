@@ -20,11 +20,14 @@ inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
 /// more; a block of some megabytes asks for huge pages: a page fault costs as much. Throws std::bad_alloc.
 /// Safe to call from any thread.
 std::byte* take_memory(std::size_t bytes, std::size_t alignment = alignof(std::max_align_t));
-/// More memory, for `bytes`, that begins with the `held` bytes that were in `memory`, which it replaces; null
-/// is fine. As take_memory() without an alignment.
-std::byte* grow_memory(std::byte* memory, std::size_t held, std::size_t bytes);
-
 void give_memory(void* memory);
+
+/// More memory, for `bytes`, that begins with the `held` bytes that `memory` has, which it replaces; null has
+/// none. As take_memory() without an alignment, but for give_grown(). Large blocks the system moves, and
+/// nothing is copied.
+std::byte* grow_memory(std::byte* memory, std::size_t held, std::size_t bytes);
+/// Gives back what grow_memory() took for so many bytes.
+void give_grown(std::byte* memory, std::size_t bytes);
 
 /// Where memory comes from in the place of the system.
 struct MemorySource {

@@ -50,12 +50,24 @@ TEST(Memory, AGrownBlockBeginsWithWhatWasInIt) {
   std::byte* memory = grow_memory(nullptr, 0, 3);
   std::memcpy(memory, "abc", 3);
   std::size_t held = 3;
-  for (std::size_t size = 4; size < 3 * kHugePage; held = size, size *= 7) {
+  for (std::size_t size = 4; size < 30 * kHugePage; held = size, size = 3 * size + 1) {
     memory = grow_memory(memory, held, size);
     EXPECT_EQ(std::memcmp(memory, "abc", 3), 0) << size;
-    std::memset(memory + 3, 0xa5, size - 3);
+    EXPECT_TRUE(
+        std::all_of(memory + 3, memory + held, [](std::byte value) { return value == std::byte{7}; }));
+    std::memset(memory + 3, 7, size - 3);
   }
-  give_memory(memory);
+  give_grown(memory, held);
+}
+
+TEST(Memory, OfAnySizeGrowsFromNothing) {
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, kHugePage, 4 * kHugePage - 1, 4 * kHugePage,
+                                 4 * kHugePage + 1, 20 * kHugePage + 5}) {
+    std::byte* const memory = grow_memory(nullptr, 0, size);
+    ASSERT_NE(memory, nullptr) << size;
+    std::memset(memory, 0xa5, size);
+    give_grown(memory, size);
+  }
 }
 
 TEST(Memory, OfNothingIsGivenBackToo) {
@@ -84,6 +96,10 @@ TEST(Memory, ABlockThatCannotGrowIsAsItWas) {
   {
     const FailingMemory failing(1);
     EXPECT_THROW(grow_memory(memory.get(), 100, 1000), std::bad_alloc);
+  }
+  {
+    const FailingMemory failing(1);
+    EXPECT_THROW(grow_memory(memory.get(), 100, 20 * kHugePage), std::bad_alloc);
   }
   EXPECT_TRUE(
       std::all_of(memory.get(), memory.get() + 100, [](std::byte value) { return value == std::byte{7}; }));

@@ -27,7 +27,7 @@ void Keys::make_more_room(KeyBuffer& buffer, std::size_t more) {
   const std::size_t capacity = std::max(2 * buffer.capacity, buffer.size + more + 1000);
   constexpr std::size_t kBytes = sizeof(std::uint64_t);
   auto* memory = reinterpret_cast<std::byte*>(buffer.keys);
-  memory = grow_memory(memory, buffer.size * kBytes, capacity * kBytes);
+  memory = grow_memory(memory, buffer.capacity * kBytes, capacity * kBytes);
   buffer.keys = reinterpret_cast<std::uint64_t*>(memory);
   buffer.capacity = capacity;
 }
@@ -56,14 +56,14 @@ void Keys::clear() {
 }
 
 void Keys::give_back() {
-  give_memory(keys);
+  if (keys != nullptr) give_grown(reinterpret_cast<std::byte*>(keys), bytes());
   keys = nullptr;
   capacity = 0;
   shrink(0);
 }
 
 Keys::~Keys() {
-  give_memory(keys);
+  give_back();
 }
 
 }  // namespace cellsweep::stream
