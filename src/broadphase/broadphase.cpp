@@ -167,7 +167,8 @@ Broadphase::Impl::~Impl() = default;
 
 Result<PairChanges> Broadphase::Impl::prepare() {
   gave_back_ = bodies_.have_come_to_rest();
-  pairs_.remember_changes(gave_back_);
+  if (gave_back_) pairs_.give_back();
+  pairs_.remember_changes();
   const bool anew = engine_is_lost_ || !process_.is_this_process();
   if (anew) {
     if (Status status = renew_engine(); !status.ok()) return status;

@@ -81,7 +81,6 @@ class StagedBoxes {
 
  private:
   void reserve_next(std::size_t more);
-  void lay_next_by_slot();
   std::size_t move_share(const MovedBodies& bodies, Share share, Slot* moved);
   Slot* move_block(const MovedBodies& block, Slot* moved);
   Slot* move_one(Slot slot, const Aabb& box, Slot* moved);

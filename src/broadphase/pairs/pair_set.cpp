@@ -6,10 +6,8 @@
 
 namespace cellsweep {
 
-void PairSet::give_back_room(bool at_rest) {
-  constexpr std::size_t kKept = std::size_t{64} << 10;
-  const std::size_t pairs = list_.pairs().size() + began_.size() + ended_.size();
-  const std::size_t enough = at_rest ? 0 : 4 * pairs * sizeof(Pair) + kKept;
+// Of lists with more bytes than are enough.
+void PairSet::give_back_room(std::size_t enough) {
   for (Array<Pair>* list : {&next_began_, &next_ended_, &whole_, &spare_}) {
     if (list->bytes() > enough) *list = Array<Pair>();
   }
@@ -19,8 +17,10 @@ void PairSet::give_back_room(bool at_rest) {
   if (list_.bytes() > enough) list_.give_back();
 }
 
-void PairSet::remember_changes(bool at_rest) {
-  give_back_room(at_rest);
+void PairSet::remember_changes() {
+  constexpr std::size_t kKept = std::size_t{64} << 10;
+  const std::size_t pairs = list_.pairs().size() + began_.size() + ended_.size();
+  give_back_room(4 * pairs * sizeof(Pair) + kKept);
   if (!listing_.waits()) return;
   if (std::exchange(only_began_, false)) {
     std::swap(list_.pairs(), began_);  // there were none

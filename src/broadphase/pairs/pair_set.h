@@ -19,9 +19,11 @@ namespace cellsweep {
 class PairSet {
  public:
   /// Makes room for new changes: the last ones will be needed to list all pairs. Memory for many more pairs
-  /// than there are goes back, and for any where the world has just come to rest. Before next_began() and
-  /// next_ended() are written.
-  void remember_changes(bool at_rest = false);
+  /// than there are goes back. Before next_began() and next_ended() are written.
+  void remember_changes();
+
+  /// Gives back all memory that the next changes may ask for again. Before remember_changes().
+  [[gnu::cold]] void give_back() { give_back_room(0); }
 
   /// To be written by an update, ascending. Nothing of it shows before commit().
   Array<Pair>& next_began() { return next_began_; }
@@ -46,7 +48,7 @@ class PairSet {
   std::size_t bytes() const;
 
  private:
-  [[gnu::cold]] void give_back_room(bool at_rest);
+  [[gnu::cold]] void give_back_room(std::size_t enough);
   void note_changes() const;
   void list_all() const;
 

@@ -130,7 +130,7 @@ std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
 // short, would not last.
 void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
   if (!slack_) return;
-  by_slot(changes.boxes);
+  by_slot(changes.boxes);  // as the cells will be given all of them
   for (const Slot slot : changes.removed) fat_[slot] = kNobody;
   for (const Slot slot : changes.inserted) fat_[slot] = changes.boxes[slot];
   crew.run([&](unsigned worker) {
