@@ -69,14 +69,38 @@ inline constexpr float kMostTremble = 0.125F;
 inline constexpr unsigned kEarly = 3;
 /// Of one that is known to tremble, whose fat boxes are made for the most updates. EPYC, stacks in Bullet.
 inline constexpr unsigned kEarlyOfTrembling = 8;
-/// The least that a fat box reaches to either side, then, is kMostTremble halved so often: kLeastGrowth.
-/// EPYC, stacks in Bullet: half as many leave theirs as with 15.
-inline constexpr unsigned kMostHalvings = 3;
+/// A fat box of one reaches so many times its step to either side at first, a length kMostTremble halved so
+/// often at least, kLeastGrowth; where it did not last, so many halvings less. EPYC, stacks in Bullet: half
+/// as many leave theirs as with 15, at 4.
+inline constexpr int kMostHalvings = 3;
+inline constexpr float kStepsOfTrembling = 4;
+inline constexpr int kRaise = 2;
+/// Where there is no more than one candidate that is no pair for so many pairs, fat boxes reach so much at
+/// least, and to either side kMostTremble halved so often. EPYC, stacks in Bullet of 1,000 and 5,000: 3 in
+/// 1,000 leave theirs in an update instead of 20; with an eighth it takes the same.
+inline constexpr std::size_t kPairsOfSpareCandidate = 8;
+inline constexpr float kAmpleGrowth = 1.0F / 16;
+inline constexpr int kAmpleHalvings = 1;
+/// And where there are more than so many candidates for each pair, and one for two bodies, hardly further
+/// than bodies tremble. EPYC: piles in Bullet have two for each pair, and take 1.1 times as long then.
+/// Columns that tremble by a hundredth, a thousandth and a ten-thousandth of their width: with 4 steps, or 2
+/// halvings less, those that stand close have up to five times the candidates; with 1 step fat boxes do not
+/// last.
+inline constexpr std::size_t kUsualCandidates = 3;
+inline constexpr int kTightHalvings = 9;
+inline constexpr float kTightSteps = 2;
+inline constexpr int kTightRaise = 1;
+/// What had to be taken back is not done for so many updates, and twice as many each time, up to so many.
+/// Chosen, not measured.
+inline constexpr std::uint32_t kPatienceOfGrowth = 64;
+inline constexpr std::uint32_t kMostPatienceOfGrowth = 16'384;
 
 /// To make all fat boxes anew takes as long as so many looks at a candidate for each body, and so many for
 /// each candidate. EPYC, piles in Bullet, 5,000 and 20,000.
 inline constexpr std::uint64_t kLooksOfFull = 25;
 inline constexpr std::uint64_t kLooksOfCandidate = 5;
+/// One that is put into cells singly takes as long as so many: kPartialGuess and kTestGuess.
+inline constexpr std::uint64_t kLooksOfPlaced = 50;
 /// They are once candidates that are no pairs have cost so many times that, up to so many times more where it
 /// was of no use, which shows so many updates later. Chosen, not measured.
 inline constexpr std::uint64_t kPricesOfRefit = 2;

@@ -9,17 +9,9 @@
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/bodies/fat_box_trial.h"
 #include "engines/stream/bodies/watch.h"
+#include "engines/stream/fat_box_work.h"
 
 namespace cellsweep::stream {
-
-/// What an update with fat boxes had to do.
-struct FatBoxWork {
-  std::size_t bodies = 0;
-  bool is_full = false;    ///< all fat boxes were put into cells
-  std::size_t placed = 0;  ///< else so many
-  std::size_t candidates = 0;
-  std::size_t pairs = 0;
-};
 
 /// Fat boxes save work in the next updates and make more of it in the one that makes them. Where they do not
 /// last, as in a heap into which bodies still fall, it takes less to find all pairs of the boxes themselves

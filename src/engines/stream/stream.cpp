@@ -46,6 +46,7 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
     if (fat_boxes_.have_slack()) fat_boxes_.drop_slack();
     return kFull;
   }
+  fat_boxes_.use_growth(growth_choice_.growth());
   uses_prepared_ = rebuild_.begin_update(changes);
   crew_.plan(changes.moved.size(), tuning::kMoveGuess);
   if (!uses_prepared_ && refit(changes)) return kFull;
@@ -72,6 +73,11 @@ bool Stream::refit(const BodyChanges& changes) {
 void Stream::note_full() {
   rebuild_.note_full();
   if (is_anew_) fat_box_choice_.note_anew(search_.has_cells());
+}
+
+void Stream::note_fat_boxes(const BodyChanges& changes, const FatBoxWork& work) {
+  fat_box_choice_.note(work);
+  growth_choice_.note(work, do_most_move(changes));
 }
 
 FatBoxWork Stream::work_of(Kind kind) const {
@@ -108,7 +114,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
     forget_all();
     throw;
   }
-  if (!is_anew_) fat_box_choice_.note(work_of(kind));
+  if (!is_anew_) note_fat_boxes(changes, work_of(kind));
   most_listed_ = search_.is_worn_out() || parts_.finder ? 0 : costs_.most_listed(bodies_);
   was_full_ = kind == kFull;
   ++updates_[kind];

@@ -15,6 +15,7 @@
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cost.h"
 #include "engines/stream/fat_box_choice.h"
+#include "engines/stream/growth_choice.h"
 #include "engines/stream/pairs/overlaps.h"
 #include "engines/stream/rebuild.h"
 #include "engines/stream/search.h"
@@ -71,6 +72,7 @@ class Stream final : public Engine, public HasFinder {
   std::size_t bytes_held() const { return fat_boxes_.bytes() + search_.bytes() + overlaps_.bytes(); }
   std::size_t most_bytes() const;
   void note_full();
+  void note_fat_boxes(const BodyChanges& changes, const FatBoxWork& work);
   FatBoxWork work_of(Kind kind) const;
   [[gnu::noinline]] bool refit(const BodyChanges& changes);
   [[gnu::noinline]] void note_slack(const BodyChanges& changes);
@@ -86,6 +88,7 @@ class Stream final : public Engine, public HasFinder {
   FatBoxChoice fat_box_choice_;
   Costs costs_;
   SlackCost slack_cost_;
+  GrowthChoice growth_choice_;
   bool is_anew_ = false;         // this update finds everything, without fat boxes
   bool uses_prepared_ = false;   // this update
   bool was_full_ = false;        // the last update

@@ -89,22 +89,22 @@ std::vector<Aabb> rows_of(std::size_t count) {
   return boxes;
 }
 
-constexpr std::size_t kHeap = kScale == 1 ? 4000 : 2100;
+constexpr std::size_t kCrowd = kScale == 1 ? 4000 : 2100;
 
 // Fat boxes make lists that a world without them does not have.
 TEST_P(EngineMemory, GoesBackOneUpdateAfterThatInWhichManyPairsEnded) {
-  std::vector<Aabb> boxes = rows_of(kHeap);
+  std::vector<Aabb> boxes = rows_of(kCrowd);
   insert(boxes);
   for (int frame = 0; frame < 4; ++frame) {
     shake(boxes, 0.01F, 1);
-    move(boxes, kHeap);
+    move(boxes, kCrowd);
   }
   const std::uint64_t before = statistics_.bytes;
-  move(std::vector<Aabb>(kHeap, boxes[0]), kHeap);
-  ASSERT_EQ(began_, kHeap * (kHeap - 1) / 2);
+  move(std::vector<Aabb>(kCrowd, boxes[0]), kCrowd);
+  ASSERT_EQ(began_, kCrowd * (kCrowd - 1) / 2);
   ASSERT_GT(statistics_.bytes, 20 * before);
-  move(boxes, kHeap);
-  ASSERT_EQ(ended_, kHeap * (kHeap - 1) / 2);
+  move(boxes, kCrowd);
+  ASSERT_EQ(ended_, kCrowd * (kCrowd - 1) / 2);
   boxes[0].max[2] += 0.001F;
   move(boxes, 1);
   EXPECT_LE(statistics_.bytes, 2 * before);
@@ -113,7 +113,7 @@ TEST_P(EngineMemory, GoesBackOneUpdateAfterThatInWhichManyPairsEnded) {
   move(boxes, 2);
   EXPECT_EQ(began_, 1U);
   shake(boxes, 0.01F, 1);
-  move(boxes, kHeap);
+  move(boxes, kCrowd);
   EXPECT_EQ(began_ + ended_, 0U);
   remove_all();
   EXPECT_EQ(ended_, 1U);
@@ -184,15 +184,15 @@ TEST_P(EngineMemory, GoesBackLaterWhereThereIsNoneLeft) {
 }
 
 TEST_P(EngineMemory, GoesBackInTheUpdateThatIsRefused) {
-  const std::size_t most = kHeap * (kHeap - 1) / 2 - 1;
+  const std::size_t most = kCrowd * (kCrowd - 1) / 2 - 1;
   Stream engine({crew_, most, find_kernels(VectorIsa::best)});
   Bodies bodies;
   const Capacity any_number = {kSlotMask, "", ""};
-  ASSERT_TRUE(bodies.insert(*crew_, ids_below(kHeap), rows_of(kHeap), {}, "stream", any_number).ok());
+  ASSERT_TRUE(bodies.insert(*crew_, ids_below(kCrowd), rows_of(kCrowd), {}, "stream", any_number).ok());
   ASSERT_TRUE(engine.update(bodies.begin_update(), statistics_).ok());
   bodies.commit();
   ASSERT_TRUE(
-      bodies.move(*crew_, ids_below(kHeap), std::vector<Aabb>(kHeap, Aabb{{0, 0, 0}, {1, 1, 1}})).ok());
+      bodies.move(*crew_, ids_below(kCrowd), std::vector<Aabb>(kCrowd, Aabb{{0, 0, 0}, {1, 1, 1}})).ok());
   const BodyChanges heap = bodies.begin_update();
   const auto in_use = [] { return mallinfo2().uordblks + mallinfo2().hblkhd; };
   const std::size_t before = in_use();

@@ -39,10 +39,10 @@ Float4 carried(Float4 step, Float4 edge, float updates) {
   return smaller(larger(step * updates, -most), most);
 }
 
-/// How far a fat box reaches that way. That of a slow body is to last for long.
-Float4 growth(Float4 step, Float4 edge, float updates) {
+/// How far a fat box reaches that way, at least so many lengths: that of a slow body is to last for long.
+Float4 growth(Float4 step, Float4 edge, float updates, float least_lengths) {
   const Float4 none = splat(0);
-  const Float4 least = edge * tuning::kLeastGrowth;
+  const Float4 least = edge * least_lengths;
   const Float4 far = carried(step, edge, updates);
   return step > none ? larger(far, least) : step < none ? smaller(far, -least) : none;
 }
@@ -86,10 +86,12 @@ struct Motion {
 
 Aabb fat_box_of(const Aabb& old, const Aabb& now_box, const Outlook& outlook) {
   const auto [now, edge, low_step, high_step] = Motion(old, now_box);
-  const Float4 low = smaller(where_near(low_step, edge, growth(low_step, edge, outlook.updates)),
-                             -to_either_side(low_step, edge, outlook));
-  const Float4 high = larger(where_near(high_step, edge, growth(high_step, edge, outlook.updates)),
-                             to_either_side(high_step, edge, outlook));
+  const Float4 low =
+      smaller(where_near(low_step, edge, growth(low_step, edge, outlook.updates, outlook.least)),
+              -to_either_side(low_step, edge, outlook));
+  const Float4 high =
+      larger(where_near(high_step, edge, growth(high_step, edge, outlook.updates, outlook.least)),
+             to_either_side(high_step, edge, outlook));
   return box_of(within_numbers(smaller(now.min + low, now.min)),
                 within_numbers(larger(now.max + high, now.max)));
 }
@@ -105,8 +107,10 @@ Aabb course_of(const Aabb& old, const Aabb& now_box, float updates) {
 // The faces of a box that shrinks may be carried beyond each other.
 Aabb later_fat_box_of(const Aabb& old, const Aabb& now_box, const LaterOutlook& outlook) {
   const auto [now, edge, low_step, high_step] = Motion(old, now_box);
-  const Float4 low = low_step * outlook.from + smaller(growth(low_step, edge, outlook.updates), splat(0));
-  const Float4 high = high_step * outlook.from + larger(growth(high_step, edge, outlook.updates), splat(0));
+  const Float4 low =
+      low_step * outlook.from + smaller(growth(low_step, edge, outlook.updates, outlook.least), splat(0));
+  const Float4 high =
+      high_step * outlook.from + larger(growth(high_step, edge, outlook.updates, outlook.least), splat(0));
   const Float4 slack = larger(within_numbers(edge * tuning::kSlackOfLater), splat(outlook.margin));
   const Float4 one = within_numbers(now.min + where_near(low_step, edge, low) - slack);
   const Float4 other = within_numbers(now.max + where_near(high_step, edge, high) + slack);

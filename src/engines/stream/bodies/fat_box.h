@@ -11,7 +11,8 @@ struct Outlook {
   float updates = 0;      ///< in which the body keeps its course
   bool may_turn = false;  ///< or turns back: a body that trembles
   float margin = 0;       ///< on all sides, whatever the body does
-  float reach = 0;        ///< to either side at least, in lengths of the box, when it may turn
+  float least = 0;        ///< the way it goes at least, in lengths of the box,
+  float reach = 0;        ///< and to either side, when it may turn
 };
 
 /// A box that encloses `now` and, the way that led from `old` to it, what comes next. A box that moves
@@ -27,6 +28,7 @@ struct LaterOutlook {
   float from = 0;     ///< it is used so many updates ahead,
   float updates = 0;  ///< for so many
   float margin = 0;   ///< on all sides
+  float least = 0;    ///< the way it goes at least, in lengths of the box
 };
 
 /// A box that encloses where the way that led from `old` to `now` will lead to by then. A box that moves

@@ -145,7 +145,7 @@ void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
 }
 
 void FatBoxes::prepare(Crew& crew, const BodyChanges& changes, Share places, float from, float updates) {
-  const LaterOutlook outlook{from, updates, margin_};
+  const LaterOutlook outlook{from, updates, margin_, growth_.least};
   crew.run([&](unsigned worker) {
     const Share share = Share::of(places.last - places.first, worker, crew.active());
     for (std::size_t i = places.first + share.first; i < places.first + share.last; ++i) {
@@ -207,35 +207,36 @@ Aabb FatBoxes::grown(Slot slot, const Aabb& before, const Aabb& now, bool escape
   const unsigned age = (updates_ - course.made) % kCourseUpdates;
   if (escaped && (course.trembles || age <= tuning::kEarly)) judge(course, age, step_in_lengths(before, now));
   course.made = updates_ % kCourseUpdates;
-  if (!course.trembles) return fat_box_of(before, now, {.updates = updates, .margin = margin_});
+  if (!course.trembles)
+    return fat_box_of(before, now, {.updates = updates, .margin = margin_, .least = growth_.least});
   return fat_box_of(before, now,
-                    {.updates = tuning::kOneAhead,
+                    {.updates = growth_.updates,
                      .may_turn = true,
                      .margin = margin_,
-                     .reach = reach_of(course.halvings)});
+                     .reach = reach_of(std::min<int>(course.halvings, growth_.most_halvings))});
 }
 
 // Asked when a fat box did not last, or was that of a body which trembles. One that did not last though the
 // body was slow was made for another course: the body trembles. From then on its fat boxes reach further to
 // either side until they last, and less far where they do: a body that keeps its course has ones that last
 // without that.
-void FatBoxes::judge(Course& course, unsigned age, float step) {
+void FatBoxes::judge(Course& course, unsigned age, float step) const {
   const bool is_slow = step <= tuning::kMostTremble;
   if (!course.trembles) {
     course.trembles = is_slow;
-    course.halvings = tuning::kMostHalvings;
-    while (course.halvings > 0 && reach_of(course.halvings) < 4 * step) --course.halvings;
+    course.halvings = static_cast<std::uint8_t>(growth_.most_halvings);
+    while (course.halvings > 0 && reach_of(course.halvings) < growth_.steps * step) --course.halvings;
   } else if (age <= tuning::kEarlyOfTrembling) {
     course.trembles = is_slow;
-    course.halvings = static_cast<std::uint8_t>(std::max(int{course.halvings} - 2, 0));
+    course.halvings = static_cast<std::uint8_t>(std::max(int{course.halvings} - growth_.raise, 0));
   } else {
-    course.trembles = is_slow && course.halvings < tuning::kMostHalvings && reach_of(course.halvings) > step;
+    course.trembles = is_slow && course.halvings < growth_.most_halvings && reach_of(course.halvings) > step;
     ++course.halvings;
   }
 }
 
-float FatBoxes::reach_of(unsigned halvings) {
-  return tuning::kMostTremble / static_cast<float>(1U << halvings);
+float FatBoxes::reach_of(int halvings) {
+  return tuning::kMostTremble / static_cast<float>(1 << halvings);
 }
 
 void FatBoxes::list_inserted(Slot slot, const Aabb& now) {

@@ -11,6 +11,7 @@
 #include "base/memory/list.h"
 #include "base/memory/slot_blocks.h"
 #include "cellsweep/engine/slots.h"
+#include "engines/stream/bodies/growth.h"
 
 namespace cellsweep {
 struct BodyChanges;
@@ -36,6 +37,9 @@ class FatBoxes {
  public:
   /// `margin` is StreamOptions::margin.
   explicit FatBoxes(float margin = 0) : margin_(margin) {}
+
+  /// That of fat boxes that are made from now on.
+  void use_growth(const Growth& growth) { growth_ = growth; }
 
   /// What an update did to them.
   enum class Extent {
@@ -100,8 +104,8 @@ class FatBoxes {
   [[gnu::cold]] void lay_by_slot(List<Aabb> boxes);
   void add_moved(const BodyChanges& changes);
   Aabb grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates);
-  static void judge(Course& course, unsigned age, float step);
-  static float reach_of(unsigned halvings);
+  void judge(Course& course, unsigned age, float step) const;
+  static float reach_of(int halvings);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
   void begin_update(const BodyChanges& changes);
   void renew_all(Crew& crew, const BodyChanges& changes);
@@ -116,6 +120,7 @@ class FatBoxes {
   Array<std::uint8_t> escapes_;  // by place in the list of moved bodies: it left its fat box
   List<FatBoxChange> changes_;
   float margin_;
+  Growth growth_;
   bool slack_ = false;
   std::uint32_t updates_ = 0;
 };

@@ -38,9 +38,12 @@ TEST(FatBox, ReachesWhereTheBodyIsGoing) {
 
 TEST(FatBox, OfASlowBodyLastsForLongTheWayItGoes) {
   constexpr float kStep = 1.0F / 4096;
-  const Aabb fat = fat_box_of(kUnit, unit_at(kStep), {4});
+  const Outlook outlook = {.updates = 4, .least = 1.0F / 64};
+  const Aabb fat = fat_box_of(kUnit, unit_at(kStep), outlook);
   EXPECT_EQ(fat, (Aabb{{kStep, 0, 0}, {1 + kStep + 1.0F / 64, 1, 1}}));
-  EXPECT_EQ(fat_box_of(unit_at(kStep), kUnit, {4}), (Aabb{{-1.0F / 64, 0, 0}, {1, 1, 1}}));
+  EXPECT_EQ(fat_box_of(unit_at(kStep), kUnit, outlook), (Aabb{{-1.0F / 64, 0, 0}, {1, 1, 1}}));
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(kStep), {4}), (Aabb{{kStep, 0, 0}, {1 + 5 * kStep, 1, 1}}))
+      << "as far as it goes where no more is asked for";
 }
 
 TEST(FatBox, EnclosesTheBodyAsLongAsItKeepsItsCourse) {
@@ -100,6 +103,14 @@ TEST(FatBox, MayBeForLater) {
     const bool is_meant = update >= 2 && update <= 6;
     EXPECT_EQ(surrounds(fat, unit_at(0.0625F + 0.0625F * static_cast<float>(update))), is_meant) << update;
   }
+}
+
+TEST(FatBox, ForLaterLastsForLongWhereTheBodyIsSlow) {
+  constexpr float kStep = 1.0F / 4096;
+  constexpr float kSlack = 1.0F / 256;
+  const Aabb fat = later_fat_box_of(kUnit, unit_at(kStep), {.from = 2, .updates = 4, .least = 1.0F / 16});
+  EXPECT_EQ(fat, (Aabb{{3 * kStep - kSlack, -kSlack, -kSlack},
+                       {1 + 3 * kStep + 1.0F / 16 + kSlack, 1 + kSlack, 1 + kSlack}}));
 }
 
 TEST(FatBox, OfABoxThatShrinksToNothingIsABox) {

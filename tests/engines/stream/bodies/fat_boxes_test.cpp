@@ -264,6 +264,37 @@ TEST_P(FatBoxesTest, OfBodiesThatCreepLast) {
   EXPECT_LE(changed, 200U);
 }
 
+TEST_P(FatBoxesTest, ReachAsFarAsTheyAreToldAtLeast) {
+  const Aabb unit = {{0, 0, 0}, {1, 1, 1}};
+  insert(std::vector<Aabb>(8, unit));
+  take(0);
+  fat_.use_growth({.least = 0.25F, .most_halvings = 0});
+  for (Slot slot = 0; slot < 8; ++slot) move(slot, along_x(unit, 1e-4F));
+  take();
+  for (Slot slot = 0; slot < 8; ++slot) EXPECT_EQ(fat(slot).max[0], boxes_[slot].max[0] + 0.25F) << slot;
+  for (Slot slot = 0; slot < 8; ++slot) move(slot, along_x(unit, -1e-4F));
+  take();
+  for (Slot slot = 0; slot < 8; ++slot) {
+    EXPECT_EQ(fat(slot).min[0], boxes_[slot].min[0] - 0.125F) << slot;
+    EXPECT_EQ(fat(slot).max[1], 1.125F) << "to either side, as it turned: " << slot;
+  }
+}
+
+TEST_P(FatBoxesTest, OfBodiesThatTrembleReachAsFarAsTheyAreToldFromThenOn) {
+  const Aabb unit = {{0, 0, 0}, {1, 1, 1}};
+  insert(std::vector<Aabb>(8, unit));
+  take(0);
+  for (const float by : {1e-4F, -1e-4F}) {
+    for (Slot slot = 0; slot < 8; ++slot) move(slot, along_x(unit, by));
+    take();
+  }
+  EXPECT_EQ(fat(0).max[1], 1 + 1.0F / 64);
+  fat_.use_growth({.updates = 0, .most_halvings = 1, .raise = 0});
+  for (Slot slot = 0; slot < 8; ++slot) move(slot, along_x(unit, 0.05F));
+  take();
+  for (Slot slot = 0; slot < 8; ++slot) EXPECT_EQ(fat(slot).max[1], 1 + 1.0F / 16) << slot;
+}
+
 TEST_P(FatBoxesTest, AreBeingLeftByBodiesOnTheirWayNotByThoseThatCreep) {
   insert(std::vector<Aabb>(200, Aabb{{0, 0, 0}, {1, 1, 1}}));
   take(0);

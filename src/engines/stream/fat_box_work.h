@@ -1,0 +1,18 @@
+/// @file
+/// What fat boxes cost.
+#pragma once
+
+#include <cstddef>
+
+namespace cellsweep::stream {
+
+/// What an update with fat boxes had to do.
+struct FatBoxWork {
+  std::size_t bodies = 0;
+  bool is_full = false;    ///< all fat boxes were put into cells
+  std::size_t placed = 0;  ///< else so many
+  std::size_t candidates = 0;
+  std::size_t pairs = 0;
+};
+
+}  // namespace cellsweep::stream
