@@ -169,7 +169,7 @@ Result<PairChanges> Broadphase::Impl::prepare() {
   gave_back_ = bodies_.have_come_to_rest();
   if (gave_back_) pairs_.give_back();
   pairs_.remember_changes();
-  const bool anew = engine_is_lost_ || !process_.is_this_process();
+  const bool anew = engine_is_lost_ || engine_->ran_out_of_memory() || !process_.is_this_process();
   if (anew) {
     if (Status status = renew_engine(); !status.ok()) return status;
   }

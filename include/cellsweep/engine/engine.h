@@ -82,6 +82,10 @@ class CELLSWEEP_API Engine {
   /// to its bytes.
   virtual Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) = 0;
 
+  /// Whether it ran out of memory behind the last update, in a thread of its own: nobody was told, and it is
+  /// thrown away before the next update, too.
+  virtual bool ran_out_of_memory() const { return false; }
+
   /// As of the last update, valid until the next one. From any number of threads between updates.
   virtual CellsToQuery cells() const { return {}; }
 };

@@ -3,7 +3,10 @@
 /// next update.
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <functional>
+#include <thread>
+#include <vector>
 
 #include "cellsweep/engine/engine.h"
 #include "cellsweep/engine/piece_finder.h"
@@ -178,6 +181,27 @@ TEST_F(ResidentFailure, OfBoxesMadeFromPosesFailsTheNextUpdateSoThatTheOneAfterI
 TEST_F(ResidentFailure, IsNoMatterWhenNothingIsAskedOfTheSpes) {
   end_a_program();
   EXPECT_TRUE(engine_.update().ok());
+}
+
+// An update that had been answered is not the one to be told, and to the next one there is memory again.
+TEST(ResidentSpesWithoutMemory, AreReplacedBeforeTheNextUpdate) {
+  std::vector<std::shared_ptr<SpeechlessSpes>> made;
+  Broadphase engine = std::move(*EngineAccess::make("cell-resident", [&] {
+    made.push_back(std::make_shared<SpeechlessSpes>(*make_emulation({})));
+    return Resident::make({}, made.back());
+  }));
+  ASSERT_TRUE(engine.insert(ids_up_to(3), std::vector<Aabb>{cube(0), cube(0.5F), cube(9)}).ok());
+  ASSERT_TRUE(engine.update().ok());
+  const Engine& inside = EngineAccess::engine_of(engine);
+  EXPECT_FALSE(inside.ran_out_of_memory());
+  unsigned poses_that_nobody_gave = resident_word(ResidentOrder::bound, kLanes);
+  ASSERT_EQ(spe_in_mbox_write(made[0]->context(1), &poses_that_nobody_gave, 1, SPE_MBOX_ALL_BLOCKING), 1);
+  while (!inside.ran_out_of_memory()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(engine.move(2, cube(0.25F)).ok());
+  const auto changes = engine.update();
+  ASSERT_TRUE(changes.ok()) << changes.status().message;
+  EXPECT_EQ(made.size(), 2U);
+  EXPECT_EQ(engine.pairs().size(), 3U);
 }
 
 TEST(SpesThatAreNotThere, AreAStatusAndNoHang) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <new>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -66,7 +68,7 @@ class WrongProgram final : public PassingEmulation {
 };
 
 /// Knows the SPEs that it gave out.
-class KnownSpes final : public PassingEmulation {
+class KnownSpes : public PassingEmulation {
  public:
   using PassingEmulation::PassingEmulation;
 
@@ -79,6 +81,14 @@ class KnownSpes final : public PassingEmulation {
 
  private:
   std::vector<spe_context_ptr_t> contexts_;
+};
+
+/// Finds no memory to say what a program broke.
+class SpeechlessSpes final : public KnownSpes {
+ public:
+  using KnownSpes::KnownSpes;
+
+  std::string fault(spe_context_ptr_t) const override { throw std::bad_alloc(); }
 };
 
 }  // namespace cellsweep::cell

@@ -31,6 +31,7 @@ class Resident final : public PlacedEngine, public CellEngine, public PoseBoxes 
 
   Capacity capacity() const override { return capacity_; }
   const CellStatistics& cell_statistics() const override { return cell_statistics_; }
+  bool ran_out_of_memory() const override { return spes_->ran_out_of_memory(); }
   bool takes_poses() const override { return !spes_->poses().empty(); }
   Status make_boxes(std::span<const BodyPose> poses, std::span<Aabb> boxes) override;
 

@@ -49,6 +49,9 @@ class ResidentSpes {
   /// every later order fails the same way.
   Status obey(ResidentOrder order, std::uint32_t records);
 
+  /// SpeGroup::ran_out_of_memory(): perhaps after the last answer, where no order waits for it.
+  bool ran_out_of_memory() const { return group_->ran_out_of_memory(); }
+
   /// Why the programs have ended; an ok status while they run.
   const Status& failure() const { return failure_; }
 

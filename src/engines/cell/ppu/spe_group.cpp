@@ -140,6 +140,13 @@ Status SpeGroup::join() {
   return {};
 }
 
+bool SpeGroup::ran_out_of_memory() const {
+  for (unsigned i = 0; i < size(); ++i) {
+    if (!running(i) && spes_[i]->error) return true;
+  }
+  return false;
+}
+
 void SpeGroup::wait() noexcept {
   if (!is_of_this_process()) return;
   for (const auto& spe : spes_) {

@@ -77,6 +77,10 @@ class SpeGroup {
   /// True from start() until the program ended by itself, by a fault, or by exit. Safe to poll.
   bool running(unsigned index) const { return spes_[index]->running.load(std::memory_order_acquire); }
 
+  /// Whether the thread of a program has ended because it did not get memory: join() would throw. Safe to
+  /// poll.
+  bool ran_out_of_memory() const;
+
   /// CPU time of the SPE in the last run, in milliseconds: the program without the start of its thread. 0
   /// when it was not among those that ran, and while it runs.
   double cpu_milliseconds(unsigned index) const { return spes_[index]->cpu_milliseconds.load(); }
