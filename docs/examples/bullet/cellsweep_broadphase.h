@@ -28,7 +28,7 @@
 /// With a margin, a length, a body that moves gets a fat box, larger by so much on each side, and nothing is
 /// done for it while it stays in there. Pairs are then those whose fat boxes overlap: all that there were
 /// without, and some that only come near. Bullet's own tree goes about it like this, with a margin of 0.05.
-/// Where bodies tremble a step takes a third of the time; a pile has twice the pairs.
+/// Where bodies tremble a step takes half of the time; a pile has twice the pairs.
 ///
 /// One thread at a time, like the world that it belongs to; inside, `stream` may use more.
 class CellsweepBroadphase final : public btBroadphaseInterface {
