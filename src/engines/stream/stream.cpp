@@ -156,6 +156,7 @@ void Stream::forget_all() {
   rebuild_.drop();
   fat_boxes_ = FatBoxes(parts_.margin);
   slack_cost_ = {};
+  growth_choice_ = {};
   search_.clear();
   search_.give_back();
   overlaps_.clear();

@@ -209,11 +209,9 @@ Aabb FatBoxes::grown(Slot slot, const Aabb& before, const Aabb& now, bool escape
   course.made = updates_ % kCourseUpdates;
   if (!course.trembles)
     return fat_box_of(before, now, {.updates = updates, .margin = margin_, .least = growth_.least});
-  return fat_box_of(before, now,
-                    {.updates = growth_.updates,
-                     .may_turn = true,
-                     .margin = margin_,
-                     .reach = reach_of(std::min<int>(course.halvings, growth_.most_halvings))});
+  return fat_box_of(
+      before, now,
+      {.updates = growth_.updates, .may_turn = true, .margin = margin_, .reach = reach_of(course.halvings)});
 }
 
 // Asked when a fat box did not last, or was that of a body which trembles. One that did not last though the
@@ -222,16 +220,17 @@ Aabb FatBoxes::grown(Slot slot, const Aabb& before, const Aabb& now, bool escape
 // without that.
 void FatBoxes::judge(Course& course, unsigned age, float step) const {
   const bool is_slow = step <= tuning::kMostTremble;
+  const int halvings = std::min<int>(course.halvings, growth_.most_halvings);  // made for another growth
   if (!course.trembles) {
     course.trembles = is_slow;
     course.halvings = static_cast<std::uint8_t>(growth_.most_halvings);
     while (course.halvings > 0 && reach_of(course.halvings) < growth_.steps * step) --course.halvings;
   } else if (age <= tuning::kEarlyOfTrembling) {
     course.trembles = is_slow;
-    course.halvings = static_cast<std::uint8_t>(std::max(int{course.halvings} - growth_.raise, 0));
+    course.halvings = static_cast<std::uint8_t>(std::max(halvings - growth_.raise, 0));
   } else {
-    course.trembles = is_slow && course.halvings < growth_.most_halvings && reach_of(course.halvings) > step;
-    ++course.halvings;
+    course.trembles = is_slow && halvings < growth_.most_halvings && reach_of(halvings) > step;
+    course.halvings = static_cast<std::uint8_t>(halvings + 1);
   }
 }
 

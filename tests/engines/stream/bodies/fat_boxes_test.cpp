@@ -293,6 +293,10 @@ TEST_P(FatBoxesTest, OfBodiesThatTrembleReachAsFarAsTheyAreToldFromThenOn) {
   for (Slot slot = 0; slot < 8; ++slot) move(slot, along_x(unit, 0.05F));
   take();
   for (Slot slot = 0; slot < 8; ++slot) EXPECT_EQ(fat(slot).max[1], 1 + 1.0F / 16) << slot;
+  fat_.use_growth({.updates = 0, .most_halvings = 1, .raise = 1});
+  for (Slot slot = 0; slot < 8; ++slot) move(slot, along_x(unit, -0.05F));
+  take();
+  for (Slot slot = 0; slot < 8; ++slot) EXPECT_EQ(fat(slot).max[1], 1 + 1.0F / 8) << "at once: " << slot;
 }
 
 TEST_P(FatBoxesTest, AreBeingLeftByBodiesOnTheirWayNotByThoseThatCreep) {
