@@ -54,6 +54,14 @@ void PairList<AnyPair>::go_on(Array<AnyPair>& spare) {
 }
 
 template <class AnyPair>
+void PairList<AnyPair>::go_on_at_rest(Array<AnyPair>& spare) {
+  if (stage_ == Stage::none) return;
+  constexpr std::size_t kStepsOfKey = 8;  // seven of the sort, and the merge
+  const std::size_t steps = pairs_.size() + kStepsOfKey * sort_.keys().size();
+  if (merge(steps / tuning::kPartsAtRest + 1)) end_merge(spare);
+}
+
+template <class AnyPair>
 void PairList<AnyPair>::begin_merge(Array<AnyPair>& spare) {
   const std::size_t most = pairs_.size() + notes_.size();
   std::swap(next_, spare);

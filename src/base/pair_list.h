@@ -46,6 +46,9 @@ class PairList {
   /// Brings a part of them into the list, the greater the more of them are new: all are in it by the time
   /// that they are many again.
   void go_on(Array<AnyPair>& spare);
+  /// In an update that changes nothing: of what go_on() has taken up, so much that it is all in the list
+  /// before memory is given back. Cannot fail.
+  void go_on_at_rest(Array<AnyPair>& spare);
 
   /// Gives back the memory that the list does not need, unless a part of its changes is in the next one.
   [[gnu::cold]] void give_back();

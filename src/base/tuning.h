@@ -332,6 +332,8 @@ inline constexpr std::size_t kListedAtOnce = 4096;
 /// In a longer one a change is sorted, in at most seven passes, and kPairsOfNote pairs are copied with it:
 /// with so many steps for each new one all are in the list before as many wait again.
 inline constexpr std::size_t kStepsOfNote = 16;
+/// In a world at rest so many updates do all of that: before memory is given back.
+inline constexpr std::size_t kPartsAtRest = kQuietToGiveBack / 2;
 /// When one update would bring more than this and half the list, everything is found anew.
 inline constexpr std::size_t kManyNotes = 16'384;
 

@@ -147,6 +147,26 @@ TYPED_TEST(PairListTest, GivesBackWhatIsNotNeededToHoldIt) {
   EXPECT_TRUE(followed.is_right());
 }
 
+// Its memory could not be given back before.
+TYPED_TEST(PairListTest, TakesWhatWasTakenUpWhileNothingChanges) {
+  for (const std::size_t notes : {700, 1500}) {
+    Followed<TypeParam> followed(20'000, 6);
+    followed.change(2000);
+    followed.list.go_on(followed.spare);
+    followed.list.go_on_at_rest(followed.spare);
+    EXPECT_EQ(followed.list.notes(), 2000U) << "they may wait";
+    followed.change(notes);
+    followed.list.go_on(followed.spare);
+    std::uint32_t updates = 0;
+    for (; !followed.list.is_up_to_date(); ++updates) followed.list.go_on_at_rest(followed.spare);
+    EXPECT_GE(updates, tuning::kPartsAtRest / 8) << "a part at a time";
+    EXPECT_LT(updates, tuning::kQuietToGiveBack);
+    followed.list.give_back();
+    EXPECT_LE(followed.list.bytes(), 2 * followed.truth.size() * sizeof(TypeParam) + 20'000);
+    EXPECT_TRUE(followed.is_right());
+  }
+}
+
 TYPED_TEST(PairListTest, WithoutMemoryIsWhatItWas) {
   using State = std::unique_ptr<Followed<TypeParam>>;
   const auto ignore = [](const State&) {};

@@ -69,4 +69,16 @@ void Arena::reset(std::size_t most) {
   used_ = 0;
 }
 
+void Arena::fit() {
+  const bool is_empty = current_ == 0 && used_ == 0;
+  const std::size_t keep = is_empty ? 0 : std::min(current_ + 1, chunks_.size());
+  for (std::size_t i = keep; i < chunks_.size(); ++i) bytes_ -= chunks_[i].size;
+  chunks_.resize(keep);
+  if (keep == 0) return;
+  Chunk& last = chunks_.back();
+  const std::size_t fits = shrink_memory(last.memory.get(), last.size, used_);
+  bytes_ -= last.size - fits;
+  last.size = fits;
+}
+
 }  // namespace cellsweep

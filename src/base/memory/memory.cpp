@@ -75,6 +75,16 @@ void give_mapped(std::byte* memory, std::size_t bytes) {
   munmap(memory, in_pages(bytes));
 }
 
+/// How many bytes are held on to.
+std::size_t give_pages(std::byte* memory, std::size_t held, std::size_t bytes) {
+  const std::size_t page = page_size();
+  const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t first = (begin + bytes + page - 1) / page * page;
+  const std::uintptr_t last = (begin + held) / page * page;
+  if (first >= last || madvise(memory + (first - begin), last - first, MADV_DONTNEED) != 0) return held;
+  return first - begin;
+}
+
 #else
 
 bool is_mapped(std::size_t) {
@@ -85,6 +95,9 @@ void* grow_mapped(std::byte*, std::size_t, std::size_t) {
   return nullptr;
 }
 void give_mapped(std::byte*, std::size_t) {}
+std::size_t give_pages(std::byte*, std::size_t held, std::size_t) {
+  return held;
+}
 
 #endif
 
@@ -138,6 +151,10 @@ std::byte* grow_memory(std::byte* memory, std::size_t held, std::size_t bytes) {
 void give_grown(std::byte* memory, std::size_t bytes) {
   if (source.give != nullptr || !is_mapped(bytes)) return give_memory(memory);
   give_mapped(memory, bytes);
+}
+
+std::size_t shrink_memory(std::byte* memory, std::size_t held, std::size_t bytes) {
+  return source.take == nullptr ? give_pages(memory, held, bytes) : held;
 }
 
 void give_memory(void* memory) {

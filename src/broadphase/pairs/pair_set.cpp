@@ -62,6 +62,7 @@ void PairSet::commit() {
 void PairSet::commit_nothing() {
   began_.shrink(0);
   ended_.shrink(0);
+  list_.go_on_at_rest(spare_);
 }
 
 std::span<const Pair> PairSet::pairs() const {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/memory/starved.h"
@@ -96,6 +97,43 @@ TEST(Arena, TakesBackInItsScopeWhatWasHandedOutInIt) {
     const ArenaScope inner(arena);
     arena.take<char>(300'000);
   }
+}
+
+TEST(Arena, FitsWhatItHandedOut) {
+  for (const std::size_t all : {1000, 60'000, 300'000, 1'400'000, 3'000'000, 20'000'000}) {
+    Arena arena;
+    std::vector<std::span<char>> blocks;
+    const auto take = [&] {
+      blocks.emplace_back(arena.take<char>(1000), 1000);
+      std::fill(blocks.back().begin(), blocks.back().end(), static_cast<char>(blocks.size()));
+    };
+    while (1024 * blocks.size() < all) take();
+    const Arena::Mark mark = arena.mark();
+    arena.take<char>(10'000'000);
+    arena.release(mark);
+    const std::size_t before = arena.bytes();
+    arena.fit();
+    EXPECT_LE(arena.bytes(), before - 10'000'000);
+#ifdef __linux__
+    EXPECT_LE(arena.bytes(), 1024 * blocks.size() + all / 4 + 8192) << all;
+#endif
+    for (int i = 0; i < 300; ++i) take();
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      ASSERT_EQ(std::ranges::count(blocks[i], static_cast<char>(i + 1)), 1000) << all << ", block " << i;
+    }
+    EXPECT_GE(arena.bytes(), 1024 * blocks.size());
+  }
+}
+
+TEST(Arena, FitsNothing) {
+  Arena arena;
+  arena.fit();
+  arena.take<char>(100);
+  arena.release({});
+  arena.fit();
+  EXPECT_EQ(arena.bytes(), 0U);
+  std::fill_n(arena.take<char>(100), 100, 'a');
+  EXPECT_GE(arena.bytes(), 100U);
 }
 
 TEST(Arena, GoesOnAfterMemoryFailed) {

@@ -10,8 +10,14 @@
 #include <cstring>
 #include <limits>
 #include <thread>
+#include <vector>
 
 #include "base/memory/starved.h"
+
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
 
 namespace cellsweep {
 namespace {
@@ -104,6 +110,33 @@ TEST(Memory, ABlockThatCannotGrowIsAsItWas) {
   EXPECT_TRUE(
       std::all_of(memory.get(), memory.get() + 100, [](std::byte value) { return value == std::byte{7}; }));
 }
+
+#ifdef __linux__
+
+/// How many whole pages between these the system has memory for.
+std::size_t pages_there(const std::byte* from, const std::byte* to) {
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t first = (address(from) + page - 1) / page * page;
+  std::vector<unsigned char> there((address(to) - first) / page);
+  EXPECT_EQ(mincore(reinterpret_cast<void*>(first), there.size() * page, there.data()), 0);
+  return static_cast<std::size_t>(std::ranges::count_if(there, [](unsigned char is) { return is & 1U; }));
+}
+
+TEST(Memory, OfABlockIsGivenBackBehindItsFirstBytes) {
+  for (const std::size_t size : {std::size_t{100'000}, kHugePage, 5 * kHugePage}) {
+    const Memory<std::byte> memory(take_memory(size));
+    std::memset(memory.get(), 7, size);
+    ASSERT_GT(pages_there(memory.get(), memory.get() + size), 20U);
+    const std::size_t held = shrink_memory(memory.get(), size, 50'000);
+    EXPECT_GE(held, 50'000U);
+    EXPECT_LT(held, 60'000U);
+    EXPECT_EQ(pages_there(memory.get() + held, memory.get() + size), 0U);
+    EXPECT_EQ(std::count(memory.get(), memory.get() + 50'000, std::byte{7}), 50'000);
+    EXPECT_EQ(shrink_memory(memory.get(), held, held), held) << "there is nothing left to give";
+  }
+}
+
+#endif
 
 TEST(Memory, FailsOnceHoweverManyThreadsAskForIt) {
   for (int round = 0; round < 20; ++round) {

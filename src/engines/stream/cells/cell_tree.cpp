@@ -49,7 +49,8 @@ void CellTree::reset(std::size_t boxes) {
 
 void CellTree::give_back() {
   for (const auto& scratch : scratches_) {
-    scratch->job.reset(0);
+    scratch->cells.fit();
+    scratch->job = {};
     for (Keys* keys : {&scratch->found, &scratch->touched}) keys->give_back();
     scratch->collected = {};
   }
