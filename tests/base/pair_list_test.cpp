@@ -44,11 +44,12 @@ struct Followed {
     }
   }
   /// A part of what waits is in the next list.
-  void begin_to_merge() {
-    for (const std::size_t count : {2000, 700}) {
-      change(count);
-      list.go_on(spare);
-    }
+  void begin_to_merge(std::size_t more = 1) {
+    const std::size_t many = truth.size() / tuning::kPairsOfNote + tuning::kFewNotes;
+    change(many - 500);
+    list.go_on(spare);
+    change(500 + more);
+    list.go_on(spare);
   }
   bool is_right() { return std::ranges::equal(list.all(spare).view(), truth); }
 
@@ -149,14 +150,10 @@ TYPED_TEST(PairListTest, GivesBackWhatIsNotNeededToHoldIt) {
 
 // Its memory could not be given back before.
 TYPED_TEST(PairListTest, TakesWhatWasTakenUpWhileNothingChanges) {
-  for (const std::size_t notes : {700, 1500}) {
+  for (const std::size_t more : {200, 1000}) {
     Followed<TypeParam> followed(20'000, 6);
-    followed.change(2000);
-    followed.list.go_on(followed.spare);
-    followed.list.go_on_at_rest(followed.spare);
-    EXPECT_EQ(followed.list.notes(), 2000U) << "they may wait";
-    followed.change(notes);
-    followed.list.go_on(followed.spare);
+    followed.begin_to_merge(more);
+    EXPECT_FALSE(followed.list.is_up_to_date());
     std::uint32_t updates = 0;
     for (; !followed.list.is_up_to_date(); ++updates) followed.list.go_on_at_rest(followed.spare);
     EXPECT_GE(updates, tuning::kPartsAtRest / 8) << "a part at a time";
@@ -164,6 +161,10 @@ TYPED_TEST(PairListTest, TakesWhatWasTakenUpWhileNothingChanges) {
     followed.list.give_back();
     EXPECT_LE(followed.list.bytes(), 2 * followed.truth.size() * sizeof(TypeParam) + 20'000);
     EXPECT_TRUE(followed.is_right());
+    followed.change(100);
+    followed.list.go_on(followed.spare);
+    followed.list.go_on_at_rest(followed.spare);
+    EXPECT_EQ(followed.list.notes(), 100U) << "they may wait";
   }
 }
 

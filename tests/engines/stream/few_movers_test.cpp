@@ -124,7 +124,7 @@ TEST_P(FewMovers, LeaveExactlyThePairsOfBruteForce) {
   World world(GetParam(), kBodies, {.threads = GetParam()});
   for (int frame = 0; frame < 400 && !HasFailure(); ++frame) {
     if (frame >= 150 && world.random().one_in(12)) world.move_all();
-    for (int i = world.random().whole(0, 3); i > 0; --i) world.move_one();
+    for (int i = world.random().whole(0, world.random().one_in(4) ? 8 : 3); i > 0; --i) world.move_one();
     if (world.random().one_in(4)) world.remove_one();
     if (world.random().one_in(4)) world.insert_one();
     world.update();
@@ -165,6 +165,33 @@ TEST(OneMover, CostsTheSameAmongFewAndAmongMany) {
       EXPECT_LT(work.of_update(), 4000U) << bodies << " bodies, frame " << frame;
     }
   }
+}
+
+// What waits is not brought up to date for them, and then again.
+TEST(AFewMoreMovers, DoNotHaveAllCandidatesWalked) {
+  constexpr std::size_t kBodies = 8000;
+  std::vector<Aabb> boxes = uniform_boxes(kBodies, 5);
+  Broadphase engine = engine_with(boxes);
+  ASSERT_TRUE(engine.update().ok());
+  CountedWork work(engine);
+  const auto work_of = [&](std::size_t movers) {
+    for (std::size_t i = 0; i < movers; ++i) {
+      Aabb& box = boxes[i * (kBodies / movers)];
+      box.min[0] += 0.3F;
+      box.max[0] += 0.3F;
+      EXPECT_TRUE(engine.move(static_cast<BodyId>(i * (kBodies / movers)), box).ok());
+    }
+    EXPECT_TRUE(engine.update().ok());
+    return work.of_update();
+  };
+  work_of(1);
+  const std::uint64_t candidates = counter(engine, "candidates");
+  const std::size_t a_few = candidates / tuning::kCandidatesOfQuery;
+  for (int round = 0; round < 10; ++round) {
+    EXPECT_LT(work_of(a_few - 4), candidates) << round;
+    EXPECT_LT(work_of(a_few + 3), candidates) << round;
+  }
+  EXPECT_TRUE(is_exact(engine, boxes));
 }
 
 TEST(OneMover, TakesNoMemoryForTheOthers) {

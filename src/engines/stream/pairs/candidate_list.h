@@ -59,6 +59,8 @@ class CandidateList {
   std::span<const SlotPair> pairs(Crew& crew, PairRoom& room);
 
   std::size_t size() const { return size_; }
+  /// Whether pairs() has something to do.
+  bool waits() const { return !found_.empty() || !buckets_.empty() || !list_.is_up_to_date(); }
 
   /// Gives memory back that the next call may ask for again. The keys that it was given may go.
   [[gnu::cold]] void give_back(Crew& crew);

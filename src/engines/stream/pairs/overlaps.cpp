@@ -98,9 +98,9 @@ FoundPairs Overlaps::test(const BodyChanges& changes, const SlotPairChanges& of_
   return {.began = found.began, .ended = found.ended};
 }
 
-bool Overlaps::are_few(const BodyChanges& changes) const {
-  const std::size_t count = changes.moved.size() + changes.inserted.size() + changes.removed.size();
-  return count * tuning::kCandidatesOfQuery < list_.size();
+bool Overlaps::are_few(const BodyChanges& changes) {
+  const std::size_t changed = changes.moved.size() + changes.inserted.size() + changes.removed.size();
+  return few_choice_.are_few(changed, list_.size(), marks_say_ == Marks::stale || list_.waits());
 }
 
 void Overlaps::change_cells_of_few(CellTree& cells, const BodyChanges& changes,
@@ -149,6 +149,7 @@ void Overlaps::clear() {
   list_ = {};
   marks_ = {};
   few_ = {};
+  few_choice_ = {};
   fresh_ = {};
   room_ = {};
   before_ = {};

@@ -14,6 +14,7 @@
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/cell_tree.h"
 #include "engines/stream/pairs/candidate_list.h"
+#include "engines/stream/pairs/few_choice.h"
 #include "engines/stream/pairs/overlap_marks.h"
 #include "engines/stream/pairs/pair_room.h"
 #include "engines/stream/pairs/pairs_of_few.h"
@@ -62,7 +63,7 @@ class Overlaps {
   /// Everything was found anew, which takes as many steps: the first update of few finds room for its marks.
   void make_room_for_few(const BodyChanges& changes);
   /// Whether so few bodies changed that the cells should be asked for their pairs.
-  bool are_few(const BodyChanges& changes) const;
+  bool are_few(const BodyChanges& changes);
   /// Asks the cells, and changes them, one body at a time; then asks of the others that moved, in their fat
   /// boxes. These throw TooMuchWork; then forget_few() makes everything but the cells what it was,
   /// and all is to be found anew.
@@ -100,6 +101,7 @@ class Overlaps {
   CandidateList prepared_;
   OverlapMarks marks_;
   PairsOfFew few_;
+  FewChoice few_choice_;
   bool are_pairs_ = true;  // all candidates
   Marks marks_say_ = Marks::all_overlap;
   PairRoom room_;
