@@ -10,10 +10,7 @@ namespace cellsweep {
 
 template <class AnyPair>
 Array<AnyPair>& PairList<AnyPair>::all(Array<AnyPair>& spare) {
-  if (stage_ != Stage::none) {
-    merge(std::numeric_limits<std::size_t>::max());
-    end_merge(spare);
-  }
+  if (stage_ != Stage::none) merge(std::numeric_limits<std::size_t>::max(), spare);
   if (!notes_.empty()) list_noted(spare);
   return pairs_;
 }
@@ -50,7 +47,7 @@ void PairList<AnyPair>::go_on(Array<AnyPair>& spare) {
     if (pairs_.size() + notes_.size() <= tuning::kListedAtOnce) return list_noted(spare);
     begin_merge(spare);
   }
-  if (merge(steps)) end_merge(spare);
+  merge(steps, spare);
 }
 
 template <class AnyPair>
@@ -58,7 +55,7 @@ void PairList<AnyPair>::go_on_at_rest(Array<AnyPair>& spare) {
   if (stage_ == Stage::none) return;
   constexpr std::size_t kStepsOfKey = 8;  // seven of the sort, and the merge
   const std::size_t steps = pairs_.size() + kStepsOfKey * sort_.keys().size();
-  if (merge(steps / tuning::kPartsAtRest + 1)) end_merge(spare);
+  merge(steps / tuning::kPartsAtRest + 1, spare);
 }
 
 template <class AnyPair>
@@ -71,19 +68,14 @@ void PairList<AnyPair>::begin_merge(Array<AnyPair>& spare) {
   stage_ = Stage::sorting;
 }
 
-// True when all is done.
 template <class AnyPair>
-bool PairList<AnyPair>::merge(std::size_t steps) {
+void PairList<AnyPair>::merge(std::size_t steps, Array<AnyPair>& spare) {
   if (stage_ == Stage::sorting) {
-    if (!sort_.go_on(steps)) return false;
+    if (!sort_.go_on(steps)) return;
     stage_ = Stage::merging;
     merge_ = {std::as_const(pairs_).view(), sort_.keys(), next_.data()};
   }
-  return merge_.go_on(steps);
-}
-
-template <class AnyPair>
-void PairList<AnyPair>::end_merge(Array<AnyPair>& spare) {
+  if (!merge_.go_on(steps)) return;
   next_.shrink(static_cast<std::size_t>(merge_.end() - next_.data()));
   std::swap(pairs_, next_);
   std::swap(next_, spare);

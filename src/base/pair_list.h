@@ -60,8 +60,7 @@ class PairList {
   enum class Stage : std::uint8_t { none, sorting, merging };
 
   [[gnu::cold]] void begin_merge(Array<AnyPair>& spare);
-  bool merge(std::size_t steps);
-  void end_merge(Array<AnyPair>& spare);
+  [[gnu::noinline]] void merge(std::size_t steps, Array<AnyPair>& spare);
   [[gnu::noinline]] void list_noted(Array<AnyPair>& spare);
 
   Array<AnyPair> pairs_;

@@ -37,10 +37,7 @@ void* Arena::take_bytes(std::size_t bytes) {
 void* Arena::take_from_next_chunk(std::size_t bytes) {
   const std::size_t next = chunks_.empty() ? 0 : current_ + 1;
   // A chunk that is too small is replaced: nothing behind the current one is handed out.
-  if (next < chunks_.size() && chunks_[next].size < bytes) {
-    for (std::size_t i = next; i < chunks_.size(); ++i) bytes_ -= chunks_[i].size;
-    chunks_.resize(next);
-  }
+  if (next < chunks_.size() && chunks_[next].size < bytes) give_behind(next);
   if (next == chunks_.size()) {
     std::size_t size = std::max(bytes + bytes / 8, next_step(bytes_));
     size = round_up(size, size >= kHugePage ? kHugePage : kMemoryAlignment);
@@ -63,18 +60,20 @@ void Arena::reset(std::size_t most) {
   while (keep < chunks_.size() && keep <= current_ && kept + chunks_[keep].size <= most + kFirstChunk) {
     kept += chunks_[keep++].size;
   }
-  chunks_.resize(keep);
-  bytes_ = kept;
+  give_behind(keep);
   current_ = 0;
   used_ = 0;
 }
 
+// Of the chunks all but the first ones.
+void Arena::give_behind(std::size_t chunks) {
+  for (; chunks_.size() > chunks; chunks_.pop_back()) bytes_ -= chunks_.back().size;
+}
+
 void Arena::fit() {
   const bool is_empty = current_ == 0 && used_ == 0;
-  const std::size_t keep = is_empty ? 0 : std::min(current_ + 1, chunks_.size());
-  for (std::size_t i = keep; i < chunks_.size(); ++i) bytes_ -= chunks_[i].size;
-  chunks_.resize(keep);
-  if (keep == 0) return;
+  give_behind(is_empty ? 0 : current_ + 1);
+  if (chunks_.empty()) return;
   Chunk& last = chunks_.back();
   const std::size_t fits = shrink_memory(last.memory.get(), last.size, used_);
   bytes_ -= last.size - fits;

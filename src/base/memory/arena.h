@@ -48,6 +48,7 @@ class Arena {
 
   void* take_bytes(std::size_t bytes);
   void* take_from_next_chunk(std::size_t bytes);
+  [[gnu::noinline]] void give_behind(std::size_t chunks);
 
   std::vector<Chunk> chunks_;
   std::size_t current_ = 0;  // index of the chunk in use
