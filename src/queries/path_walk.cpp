@@ -36,7 +36,7 @@ void walk_path(const World& world, const Path& path, Take take) {
 bool walk_to_any(const World& world, const Path& path, Take take) {
   PathTaker taker(path, take);
   if (const BoxTree* const tree = world.tree(); tree != nullptr && taker.numbers().can_be_certain)
-    return world.kernels().trees->any(tree->nodes(), taker.numbers(), {give_bodies, &taker});
+    return world.kernels().any(tree->nodes(), taker.numbers(), {give_bodies, &taker});
   walk(world, path, taker);
   return false;
 }

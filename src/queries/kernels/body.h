@@ -22,7 +22,7 @@ inline bool is_tagged(const BoxRow& row) {
 template <class Lanes>
 constexpr TreeKernels make_tree_kernels() {
   return {walk_tree_for_overlaps<Lanes>, walk_tree_on_path<Lanes>, walk_tree_for_near<Lanes>,
-          walk_tree_within<Lanes>,       walk_tree_to_any<Lanes>,  node_distances<Lanes>};
+          walk_tree_within<Lanes>, node_distances<Lanes>};
 }
 
 /// `Tagged` are the lanes for boxes of cells, `Plain` for others, `Few` for what is quicker in few lanes;
@@ -43,7 +43,8 @@ constexpr QueryKernels make_query_kernels(VectorIsa isa, const TreeKernels& tree
           },
           distances<Few>,
           rank<Few::kCount>,
-          &trees};
+          &trees,
+          walk_tree_to_any<Plain>};
 }
 
 }  // namespace

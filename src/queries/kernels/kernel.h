@@ -96,10 +96,6 @@ struct TreeKernels {
   /// All that are near enough, in no order.
   void (*within)(const TreeNode* nodes, const NearNumbers& question, const TakeBodiesWithin& take);
 
-  /// For paths that can be certain, where every body is an answer. True: the path touches one for certain,
-  /// and nobody need be asked. Else as `cast`.
-  bool (*any)(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take);
-
   /// How far all boxes of a node are from one: distance_of() of each.
   void (*distances)(const TreeNode& node, const Aabb& from, double* distances);
 };
@@ -136,6 +132,10 @@ struct QueryKernels {
   void (*rank)(const std::int32_t* numbers, std::uint32_t count, std::uint32_t* places);
 
   const TreeKernels* trees;
+  /// A walk through the tree for paths that can be certain, where every body is an answer. True: the path
+  /// touches one for certain, and nobody need be asked. Else as TreeKernels::cast. EPYC, AVX-512: with
+  /// sixteen lanes 0.81 to 1.0 of the time of eight, where paths to the first body take 1.04.
+  bool (*any)(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take);
 };
 
 /// Those of an instruction set that the machine has, or the widest below it that there are.
