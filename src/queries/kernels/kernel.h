@@ -85,8 +85,8 @@ struct TakeBodiesWithin {
   void* self;
 };
 
-/// Those for the tree of boxes, which are as quick with eight lanes as with more. Nodes that a path comes to
-/// first, or that are nearer, come before others.
+/// Those for the tree of boxes, which are as quick with eight lanes as with more. Of the nodes in a node
+/// that which a path comes to first, or that is nearest, comes before the others.
 struct TreeKernels {
   /// Bodies that may be answers, and some more, as of the kernels below.
   void (*overlap)(const TreeNode* nodes, const Aabb& box, const TakeBodies& take);

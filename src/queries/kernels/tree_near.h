@@ -157,7 +157,7 @@ template <class Lanes>
 void walk_tree_within(const TreeNode* nodes, const NearNumbers& question, const TakeBodiesWithin& take) {
   const NearLanes<Lanes> lanes(question);
   const VectorOf<Lanes> certain = all<Lanes>(question.certain);
-  WaitingNodes<false> waiting(nodes);
+  WaitingNodes waiting(nodes);
   Squares squares;
   for (const TreeNode* node = nodes; node != nullptr;) {
     const std::uint32_t bits = test_node<Lanes>(

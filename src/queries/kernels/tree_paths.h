@@ -97,7 +97,7 @@ class CastAtNode {
 template <class Lanes>
 void walk_tree_on_path(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
   CastAtNode<Lanes> cast(path);
-  WaitingNodes<true> waiting(nodes);
+  WaitingNodes waiting(nodes);
   float keys[TreeNode::kBoxes];
   for (const TreeNode* node = nodes; node != nullptr;) {
     __builtin_prefetch(node->content);
@@ -113,7 +113,7 @@ void walk_tree_on_path(const TreeNode* nodes, const CastNumbers& path, const Tak
 template <class Lanes>
 bool walk_tree_to_any(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
   const CastAtNode<Lanes> cast(path);
-  WaitingNodes<false> waiting(nodes);
+  WaitingNodes waiting(nodes);
   float keys[TreeNode::kBoxes];
   for (const TreeNode* node = nodes; node != nullptr;) {
     __builtin_prefetch(node->content);
