@@ -11,12 +11,11 @@ namespace cellsweep::stream {
 
 /// They are where that takes less than to walk all candidates. What waits from such updates has to be brought
 /// into the list of these before it is walked again, which takes as long as some walks: so an update of a few
-/// more does as they did, until what such ones took too much would have paid for it. No sequence of updates
-/// takes much more than twice what it would with the numbers of all of them known beforehand (to rent or to
-/// buy).
+/// more does as they did, until what such ones took too much would have paid for it, as one rents until one
+/// could have bought.
 class FewChoice {
  public:
-  /// Of an update in which so many bodies change; `waits`: something does.
+  /// Of an update in which so many bodies change, once: it counts. `waits`: something does.
   bool are_few(std::size_t changed, std::size_t candidates, bool waits) {
     const std::size_t asked = changed * tuning::kCandidatesOfQuery;
     if (asked < candidates) {
