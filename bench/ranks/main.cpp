@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "base/thread_clock.h"
+#include "base/threads/thread_clock.h"
 #include "cellsweep/ranks.h"
 #include "ranks/rank_scene.h"
 

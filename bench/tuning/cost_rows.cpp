@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "base/crew.h"
-#include "base/key_sort.h"
-#include "base/pair_sort.h"
-#include "base/thread_pool.h"
+#include "base/sorting/key_sort.h"
+#include "base/sorting/pair_sort.h"
+#include "base/threads/crew.h"
+#include "base/threads/thread_pool.h"
 #include "base/tuning.h"
 #include "bench/tuning/rows.h"
 #include "broadphase/bodies/id_table.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/crew.h"
+#include "base/threads/crew.h"
 #include "cellsweep/world/frame_source.h"
 #include "engines/stream/cells/cell_tree.h"
 

@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-#include "base/crew.h"
+#include "base/threads/crew.h"
 #include "broadphase/bodies/bodies.h"
 #include "broadphase/kept_tree.h"
 #include "broadphase/readers.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/memory/array.h"
-#include "base/pair_of.h"
+#include "base/pairs/pair_of.h"
 #include "base/text.h"
 #include "history/queue.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "base/key_sort.h"
+#include "base/sorting/key_sort.h"
 
 namespace cellsweep::one_shot {
 namespace {

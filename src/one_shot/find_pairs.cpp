@@ -3,10 +3,10 @@
 #include <array>
 #include <utility>
 
-#include "base/crew.h"
 #include "base/float_environment.h"
-#include "base/pair_of.h"
-#include "base/pair_sort.h"
+#include "base/pairs/pair_of.h"
+#include "base/sorting/pair_sort.h"
+#include "base/threads/crew.h"
 #include "base/tuning.h"
 #include "engines/stream/common_options.h"
 #include "engines/stream/kernels/kernel.h"

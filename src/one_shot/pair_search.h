@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "base/crew.h"
 #include "base/memory/array.h"
+#include "base/threads/crew.h"
 #include "engines/stream/cells/cell_tree.h"
 #include "engines/stream/cells/keys.h"
 #include "engines/stream/kernels/kernel.h"

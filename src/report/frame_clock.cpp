@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "base/thread_clock.h"
+#include "base/threads/thread_clock.h"
 
 namespace cellsweep::report {
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "base/numbers_of_workers.h"
-#include "base/thread_pool.h"
+#include "base/threads/numbers_of_workers.h"
+#include "base/threads/thread_pool.h"
 #include "broadphase/bodies/shown.h"
 #include "broadphase/pairs/pair_order.h"
 #include "broadphase/pairs/pair_set.h"

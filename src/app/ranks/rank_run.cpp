@@ -13,7 +13,7 @@
 #include "app/ranks/own_bodies.h"
 #include "app/ranks/rank_measures.h"
 #include "base/text.h"
-#include "base/thread_clock.h"
+#include "base/threads/thread_clock.h"
 #include "cellsweep/checkpoint.h"
 #include "geometry/canonical.h"
 #include "report/progress.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/key_sort.h"
 #include "base/memory/array.h"
+#include "base/sorting/key_sort.h"
 #include "base/text.h"
 #include "broadphase/bodies/box_checks.h"
 #include "broadphase/bodies/refusals.h"

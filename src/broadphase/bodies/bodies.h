@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/crew.h"
 #include "base/memory/list.h"
+#include "base/threads/crew.h"
 #include "broadphase/bodies/id_choice.h"
 #include "broadphase/bodies/id_table.h"
 #include "broadphase/bodies/move_check.h"

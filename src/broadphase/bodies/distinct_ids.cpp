@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/key_sort.h"
 #include "base/memory/array.h"
 #include "base/memory/list.h"
 #include "base/memory/memory.h"
+#include "base/sorting/key_sort.h"
 #include "base/tuning.h"
 
 namespace cellsweep {

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "base/crew.h"
+#include "base/threads/crew.h"
 #include "cellsweep/pair.h"
 
 namespace cellsweep {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/key_sort.h"
 #include "base/memory/memory.h"
+#include "base/sorting/key_sort.h"
 
 namespace cellsweep {
 namespace {

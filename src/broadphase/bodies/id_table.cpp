@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/key_sort.h"
+#include "base/sorting/key_sort.h"
 #include "base/tuning.h"
 #include "broadphase/bodies/distinct_ids.h"
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <span>
 
-#include "base/crew.h"
-#include "base/deferred.h"
 #include "base/memory/list.h"
+#include "base/threads/crew.h"
+#include "base/threads/deferred.h"
 #include "broadphase/bodies/sparse_ids.h"
 #include "cellsweep/engine/slots.h"
 #include "cellsweep/pair.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "base/crew.h"
+#include "base/threads/crew.h"
 #include "broadphase/bodies/id_table.h"
 #include "broadphase/bodies/staged_boxes.h"
 #include "cellsweep/aabb.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/body_names.h"
-#include "base/key_sort.h"
+#include "base/sorting/key_sort.h"
 #include "base/text.h"
 #include "geometry/box_fault.h"
 #include "geometry/canonical.h"

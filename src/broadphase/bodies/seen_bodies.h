@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/key_sort.h"
+#include "base/sorting/key_sort.h"
 #include "broadphase/bodies/id_table.h"
 #include "broadphase/bodies/staged_boxes.h"
 

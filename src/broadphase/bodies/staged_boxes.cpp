@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/per_worker.h"
+#include "base/threads/per_worker.h"
 #include "broadphase/bodies/box_checks.h"
 #include "geometry/box_lanes.h"
 #include "geometry/canonical.h"

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <span>
 
-#include "base/crew.h"
 #include "base/memory/list.h"
 #include "base/memory/slot_blocks.h"
+#include "base/threads/crew.h"
 #include "base/tuning.h"
 #include "cellsweep/engine/engine.h"
 

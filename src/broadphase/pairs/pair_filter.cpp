@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/key_sort.h"
-#include "base/pair_of.h"
-#include "base/pair_sort.h"
+#include "base/pairs/pair_of.h"
+#include "base/sorting/key_sort.h"
+#include "base/sorting/pair_sort.h"
 
 namespace cellsweep {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/memory/array.h"
 #include "base/memory/list.h"
-#include "base/pair_sort.h"
+#include "base/sorting/pair_sort.h"
 #include "broadphase/bodies/slot_filters.h"
 #include "cellsweep/engine/engine.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/pair_of.h"
+#include "base/pairs/pair_of.h"
 
 namespace cellsweep {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
-#include "base/crew.h"
 #include "base/memory/array.h"
-#include "base/pair_sort.h"
+#include "base/sorting/pair_sort.h"
+#include "base/threads/crew.h"
 #include "broadphase/bodies/id_table.h"
 #include "cellsweep/engine/slots.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/pair_changes.h"
+#include "base/pairs/pair_changes.h"
 
 namespace cellsweep {
 

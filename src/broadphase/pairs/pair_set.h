@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
-#include "base/deferred.h"
 #include "base/memory/array.h"
-#include "base/pair_list.h"
+#include "base/pairs/pair_list.h"
+#include "base/threads/deferred.h"
 #include "cellsweep/broadphase.h"
 #include "cellsweep/pair.h"
 

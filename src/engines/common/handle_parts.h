@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/crew.h"
+#include "base/threads/crew.h"
 #include "cellsweep/engine/engine.h"
 
 namespace cellsweep {

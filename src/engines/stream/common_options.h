@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "base/crew.h"
 #include "base/text.h"
-#include "base/thread_pool.h"
+#include "base/threads/crew.h"
+#include "base/threads/thread_pool.h"
 #include "base/tuning.h"
 #include "cellsweep/executor.h"
 #include "cellsweep/status.h"

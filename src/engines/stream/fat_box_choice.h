@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/crew.h"
+#include "base/threads/crew.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/bodies/fat_box_trial.h"
 #include "engines/stream/bodies/watch.h"

@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "base/crew.h"
 #include "base/text.h"
+#include "base/threads/crew.h"
 #include "engines/common/handle_parts.h"
 #include "engines/stream/common_options.h"
 #include "engines/stream/kernels/kernel.h"

@@ -8,8 +8,8 @@
 #include <memory>
 #include <span>
 
-#include "base/crew.h"
-#include "base/pair_sort.h"
+#include "base/sorting/pair_sort.h"
+#include "base/threads/crew.h"
 #include "cellsweep/engine/piece_finder.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/cell_tree.h"

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "base/crew.h"
+#include "base/threads/crew.h"
 #include "cellsweep/engine/engine.h"
 #include "cellsweep/engine/phase_timer.h"
 #include "cellsweep/engine/piece_finder.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/memory/starved.h"
-#include "base/thread_pool.h"
+#include "base/threads/thread_pool.h"
 #include "base/tuning.h"
 #include "contract/random.h"
 

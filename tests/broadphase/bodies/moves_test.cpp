@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/thread_pool.h"
+#include "base/threads/thread_pool.h"
 #include "broadphase/bodies/shown.h"
 #include "contract/random.h"
 

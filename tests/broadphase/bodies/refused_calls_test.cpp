@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "base/numbers_of_workers.h"
-#include "base/thread_pool.h"
+#include "base/threads/numbers_of_workers.h"
+#include "base/threads/thread_pool.h"
 #include "broadphase/bodies/shown.h"
 
 namespace cellsweep {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/pair_of.h"
+#include "base/pairs/pair_of.h"
 
 namespace cellsweep {
 namespace {

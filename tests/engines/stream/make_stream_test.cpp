@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "base/thread_pool.h"
+#include "base/threads/thread_pool.h"
 #include "engines/oracle/brute_force.h"
 #include "engines/stream/worlds.h"
 

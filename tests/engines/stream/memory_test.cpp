@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/memory/starved.h"
-#include "base/numbers_of_workers.h"
-#include "base/thread_pool.h"
+#include "base/threads/numbers_of_workers.h"
+#include "base/threads/thread_pool.h"
 #include "base/tuning.h"
 #include "broadphase/bodies/bodies.h"
 #include "engines/stream/stream.h"

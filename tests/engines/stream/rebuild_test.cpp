@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/memory/starved.h"
-#include "base/numbers_of_workers.h"
+#include "base/threads/numbers_of_workers.h"
 #include "engines/stream/courses.h"
 #include "engines/stream/kernels/kernel.h"
 #include "engines/stream/worlds.h"

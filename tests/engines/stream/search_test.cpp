@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "base/thread_pool.h"
+#include "base/threads/thread_pool.h"
 #include "engines/stream/worlds.h"
 
 namespace cellsweep::stream {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/process.h"
-#include "base/thread_clock.h"
+#include "base/threads/thread_clock.h"
 #include "cellsweep/cell.h"
 #include "engines/cell/emulation.h"
 #include "engines/cell/ppu/step_cycles.h"

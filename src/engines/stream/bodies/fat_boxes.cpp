@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/per_worker.h"
+#include "base/threads/per_worker.h"
 #include "base/tuning.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/bodies/fat_box.h"

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <span>
 
-#include "base/crew.h"
 #include "base/memory/array.h"
 #include "base/memory/list.h"
 #include "base/memory/slot_blocks.h"
+#include "base/threads/crew.h"
 #include "cellsweep/engine/slots.h"
 #include "engines/stream/bodies/growth.h"
 

@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "base/crew.h"
 #include "base/memory/arena.h"
 #include "base/memory/memory.h"
-#include "base/pair_sort.h"
+#include "base/sorting/pair_sort.h"
+#include "base/threads/crew.h"
 #include "base/tuning.h"
 #include "cellsweep/aabb.h"
 #include "engines/stream/bodies/fat_boxes.h"

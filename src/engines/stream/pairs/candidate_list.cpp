@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "base/per_worker.h"
+#include "base/threads/per_worker.h"
 #include "base/tuning.h"
 
 namespace cellsweep::stream {

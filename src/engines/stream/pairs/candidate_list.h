@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "base/crew.h"
 #include "base/memory/array.h"
-#include "base/pair_list.h"
-#include "base/pair_sort.h"
+#include "base/pairs/pair_list.h"
+#include "base/sorting/pair_sort.h"
+#include "base/threads/crew.h"
 #include "cellsweep/engine/slots.h"
 #include "engines/stream/pairs/pair_room.h"
 

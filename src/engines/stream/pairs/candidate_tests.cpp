@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 
-#include "base/pair_changes.h"
+#include "base/pairs/pair_changes.h"
 #include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "base/crew.h"
+#include "base/threads/crew.h"
 #include "base/tuning.h"
 #include "cellsweep/engine/slots.h"
 #include "engines/stream/pairs/candidate_list.h"

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <utility>
 
-#include "base/pair_changes.h"
-#include "base/per_worker.h"
+#include "base/pairs/pair_changes.h"
+#include "base/threads/per_worker.h"
 #include "base/tuning.h"
 #include "geometry/box_lanes.h"
 

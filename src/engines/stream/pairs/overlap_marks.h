@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "base/crew.h"
 #include "base/memory/array.h"
+#include "base/threads/crew.h"
 #include "cellsweep/engine/slots.h"
 #include "engines/stream/pairs/candidate_list.h"
 #include "engines/stream/pairs/candidate_tests.h"

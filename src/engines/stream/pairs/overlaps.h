@@ -7,9 +7,9 @@
 #include <span>
 #include <utility>
 
-#include "base/crew.h"
 #include "base/memory/array.h"
 #include "base/memory/list.h"
+#include "base/threads/crew.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/cell_tree.h"

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "base/pair_changes.h"
-#include "base/pair_sort.h"
+#include "base/pairs/pair_changes.h"
+#include "base/sorting/pair_sort.h"
 #include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 
-#include "base/crew.h"
 #include "base/memory/array.h"
+#include "base/threads/crew.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/cells/cell_tree.h"
 #include "engines/stream/cells/keys.h"

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include "base/thread_pool.h"
+#include "base/threads/thread_pool.h"
 #include "engines/stream/courses.h"
 #include "engines/stream/worlds.h"
 

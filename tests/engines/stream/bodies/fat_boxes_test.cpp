@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/numbers_of_workers.h"
-#include "base/thread_pool.h"
+#include "base/threads/numbers_of_workers.h"
+#include "base/threads/thread_pool.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/worlds.h"
 

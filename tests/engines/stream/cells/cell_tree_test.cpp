@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "base/numbers_of_workers.h"
-#include "base/thread_pool.h"
+#include "base/threads/numbers_of_workers.h"
+#include "base/threads/thread_pool.h"
 #include "contract/box_kinds.h"
 #include "contract/effort.h"
 #include "engines/oracle/brute_force.h"

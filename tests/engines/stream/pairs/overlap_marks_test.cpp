@@ -8,8 +8,8 @@
 #include <iterator>
 #include <set>
 
-#include "base/numbers_of_workers.h"
-#include "base/thread_pool.h"
+#include "base/threads/numbers_of_workers.h"
+#include "base/threads/thread_pool.h"
 #include "engines/stream/worlds.h"
 
 namespace cellsweep::stream {

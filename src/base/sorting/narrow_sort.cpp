@@ -1,0 +1,152 @@
+#include "base/sorting/narrow_sort.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <new>
+#include <span>
+#include <utility>
+
+#include "base/tuning.h"
+
+namespace cellsweep {
+namespace {
+
+class NarrowSort {
+ public:
+  NarrowSort(KeyParts parts, std::uint32_t least) : parts_(parts), count_(count_keys(parts)) {
+    std::uint64_t used = 0;
+    for (const auto part : parts_) {
+      for (const std::uint64_t key : part) used |= key - (std::uint64_t{least} << 32);
+    }
+    const auto second_bits = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(used)));
+    narrowing_ = {least, second_bits};
+    choose_digits(second_bits + static_cast<unsigned>(std::bit_width(used >> 32)));
+  }
+
+  bool pays() const { return digits_ != 0; }
+
+  void write(Array<std::uint64_t>& scratch, std::uint32_t* numbers) {
+    scratch.renew((count_ + 1) / 2);
+    find_places();
+    std::span<Narrow> from(numbers, count_);
+    std::span<Narrow> to(new (scratch.data()) Narrow[count_], count_);
+    const unsigned last = digits_ - 1;
+    if (last % 2 != 0) std::swap(from, to);  // so that they are not where they go when they go there
+    for_each_narrowed([to = from.data(), places = places_[0].data(), value = digit(0)](Narrow key) {
+      to[places[value(key)]++] = key;
+    });
+    for (unsigned number = 1; number < last; ++number) {
+      std::uint32_t* const places = places_[number].data();
+      const Digit value = digit(number);
+      for (const Narrow key : from) to[places[value(key)]++] = key;
+      std::swap(from, to);
+    }
+    std::uint32_t* const places = places_[last].data();
+    const Digit value = digit(last);
+    const Narrowing narrowed = narrowing_;
+    for (const Narrow key : from) {
+      std::uint32_t* const pair = numbers + 2 * std::size_t{places[value(key)]++};
+      pair[0] = narrowed.first_of(key);
+      pair[1] = narrowed.second_of(key);
+    }
+  }
+
+ private:
+  /// The first number above the second, which keeps the order.
+  using Narrow = std::uint32_t;
+
+  // Loops have copies of these: a member would be read again after each number that they store.
+
+  struct Narrowing {
+    std::uint32_t least;
+    unsigned second_bits;
+
+    Narrow operator()(std::uint64_t key) const {
+      return static_cast<Narrow>(((key >> 32) - least) << second_bits | static_cast<std::uint32_t>(key));
+    }
+    // In 64 bits: either number may have all 32.
+    std::uint32_t first_of(Narrow key) const {
+      return static_cast<std::uint32_t>(std::uint64_t{key} >> second_bits) + least;
+    }
+    std::uint32_t second_of(Narrow key) const {
+      return static_cast<std::uint32_t>(key & ((std::uint64_t{1} << second_bits) - 1));
+    }
+  };
+
+  struct Digit {
+    unsigned shift;
+    Narrow mask;
+
+    std::size_t operator()(Narrow key) const { return key >> shift & mask; }
+  };
+
+  static constexpr unsigned kFewestDigits = 2;
+  static constexpr unsigned kMostDigits = 4;
+  static constexpr unsigned kWidestDigit = 11;  // more counters would outgrow the fastest cache
+
+  // As few as have not too many values, each of which has a counter.
+  void choose_digits(unsigned bits) {
+    if (bits > 32 || count_ <= tuning::kFewKeys) return;
+    for (unsigned digits = kFewestDigits; digits <= kMostDigits; ++digits) {
+      digit_bits_ = (bits + digits - 1) / digits;
+      if (digit_bits_ > kWidestDigit || values() > tuning::kValuesOfKey * count_) continue;
+      digits_ = digits;
+      return;
+    }
+  }
+
+  std::size_t values() const { return std::size_t{1} << digit_bits_; }
+  Digit digit(unsigned number) const { return {number * digit_bits_, static_cast<Narrow>(values() - 1)}; }
+
+  template <class Visit>
+  void for_each_narrowed(const Visit& visit) const {
+    const Narrowing narrowed = narrowing_;
+    for (const auto part : parts_) {
+      for (const std::uint64_t key : part) visit(narrowed(key));
+    }
+  }
+
+  void find_places() {
+    if (digits_ == 2) return find_places_of<2>();
+    if (digits_ == 3) return find_places_of<3>();
+    find_places_of<kMostDigits>();
+  }
+  template <unsigned kDigits>
+  void find_places_of() {
+    std::array<Digit, kDigits> digits;
+    for (unsigned number = 0; number < kDigits; ++number) {
+      std::fill_n(places_[number].begin(), values(), 0U);
+      digits[number] = digit(number);
+    }
+    for_each_narrowed([places = places_.data(), digits](Narrow key) {
+      for (unsigned number = 0; number < kDigits; ++number) ++places[number][digits[number](key)];
+    });
+    for (unsigned number = 0; number < kDigits; ++number) {
+      std::uint32_t prefix_sum = 0;
+      for (std::uint32_t& count : std::span(places_[number]).first(values()))
+        prefix_sum += std::exchange(count, prefix_sum);
+    }
+  }
+
+  KeyParts parts_;
+  Narrowing narrowing_;
+  std::size_t count_;
+  unsigned digits_ = 0;  // 0: not to be sorted here
+  unsigned digit_bits_ = 0;
+  // How often each value of each digit occurs; then where the next key with it goes.
+  std::array<std::array<std::uint32_t, std::size_t{1} << kWidestDigit>, kMostDigits> places_;
+};
+
+}  // namespace
+
+bool sort_narrow_pairs(KeyParts parts, std::uint32_t least, Array<std::uint64_t>& scratch,
+                       std::uint32_t* numbers) {
+  NarrowSort sort(parts, least);
+  if (!sort.pays()) return false;
+  sort.write(scratch, numbers);
+  return true;
+}
+
+}  // namespace cellsweep
