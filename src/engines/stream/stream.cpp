@@ -128,7 +128,7 @@ FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& time
   if (uses_prepared_ && kind != kFull) return find_prepared(changes, kind, timer);
   FoundPairs found;
   bool goes_on = kind != kFull;
-  if (goes_on && search_.has_cells() && overlaps_.are_few(changes)) {
+  if (goes_on && search_.has_cells() && overlaps_.choose_few(changes)) {
     if (find_of_few(changes, timer, found)) return found;
     goes_on = false;
   }

@@ -16,7 +16,7 @@ namespace cellsweep::stream {
 class FewChoice {
  public:
   /// Of an update in which so many bodies change, once: it counts. `waits`: something does.
-  bool are_few(std::size_t changed, std::size_t candidates, bool waits) {
+  bool choose_few(std::size_t changed, std::size_t candidates, bool waits) {
     const std::size_t asked = changed * tuning::kCandidatesOfQuery;
     if (asked < candidates) {
       overrun_ -= std::min(overrun_, candidates - asked);

@@ -98,9 +98,9 @@ FoundPairs Overlaps::test(const BodyChanges& changes, const SlotPairChanges& of_
   return {.began = found.began, .ended = found.ended};
 }
 
-bool Overlaps::are_few(const BodyChanges& changes) {
+bool Overlaps::choose_few(const BodyChanges& changes) {
   const std::size_t changed = changes.moved.size() + changes.inserted.size() + changes.removed.size();
-  return few_choice_.are_few(changed, list_.size(), marks_say_ == Marks::stale || list_.waits());
+  return few_choice_.choose_few(changed, list_.size(), marks_say_ == Marks::stale || list_.waits());
 }
 
 void Overlaps::change_cells_of_few(CellTree& cells, const BodyChanges& changes,

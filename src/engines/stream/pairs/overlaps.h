@@ -64,7 +64,7 @@ class Overlaps {
   void make_room_for_few(const BodyChanges& changes);
   /// Whether so few bodies changed that the cells should be asked for their pairs. Once an update, which
   /// counts: FewChoice.
-  bool are_few(const BodyChanges& changes);
+  bool choose_few(const BodyChanges& changes);
   /// Asks the cells, and changes them, one body at a time; then asks of the others that moved, in their fat
   /// boxes. These throw TooMuchWork; then forget_few() makes everything but the cells what it was,
   /// and all is to be found anew.
