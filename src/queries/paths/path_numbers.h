@@ -27,12 +27,14 @@ class PathNumbers {
     const Scale scale(largest);
     scale_above_ = scale.factor * (1 + 0x1p-22);
     const auto& [x, y, z] = path.direction;
-    const Float4 direction = {static_cast<float>(x * scale.inverse), static_cast<float>(y * scale.inverse),
-                              static_cast<float>(z * scale.inverse), 1};
-    set_axes(BoxLanes(path.box), direction);
-    numbers_.can_be_certain = true;
+    Float4 direction = {static_cast<float>(x * scale.inverse), static_cast<float>(y * scale.inverse),
+                        static_cast<float>(z * scale.inverse), 1};
     const Int4 flat = magnitude(direction) < kLeast;
+    numbers_.can_be_certain = true;
     numbers_.is_flat = on_any_axis(flat) || largest < kAllHaveInverses;
+    // A branch: else all divisions would wait for what is flat.
+    if (numbers_.is_flat) direction = reinterpret_cast<Float4>(reinterpret_cast<Int4>(direction) & ~flat);
+    set_axes(BoxLanes(path.box), direction);
     if (numbers_.is_flat) set_flat(path, flat);
     end(path.end);
     numbers_.certain_end = below(std::min(path.end * scale.factor, kFarthest));
@@ -77,7 +79,7 @@ class PathNumbers {
     double inverse;
   };
 
-  // Nearly always right: on an axis along which the path does not move, set_flat() has the last word.
+  // An axis that is flat counts as one along which it goes up, infinitely slowly.
   void set_axes(const BoxLanes& box, Float4 direction) {
     const Int4 goes_down = direction < 0;
     const Int4 to_maxima = goes_down & 3;
@@ -87,35 +89,34 @@ class PathNumbers {
     store4(Int4{3, 4, 5, 5} - to_maxima, numbers_.far);
     store4(goes_down ? min : max, numbers_.front);
     store4(goes_down ? max : min, numbers_.back);
-    store4(1.0F / direction, numbers_.inverse);
     store4(kSmaller / direction, numbers_.sooner);
     store4(kLarger / direction, numbers_.later);
+    store4(1.0F / direction, numbers_.inverse);
   }
 
-  [[gnu::cold]] void set_flat(const Path& path, Int4 flat) {
-    numbers_.is_flat = false;
+  void set_flat(const Path& path, Int4 flat) {
+    const Float4 infinite = Float4{} + kInfinity;
+    const BoxLanes box(path.box);
+    store4(flat ? infinite : Float4{}, numbers_.wide);
+    store4(flat ? canonical(box.min) : -infinite, numbers_.low);
+    store4(flat ? canonical(box.max) : infinite, numbers_.high);
     for (unsigned axis = 0; axis < 3; ++axis) {
-      numbers_.wide[axis] = 0;
-      numbers_.low[axis] = -kInfinity;
-      numbers_.high[axis] = kInfinity;
-      if (flat[axis] != 0 || !Cast::has_inverse(path.direction[axis])) set_flat_axis(path, axis);
+      const double direction = path.direction[axis];
+      if (direction != 0 && (flat[axis] != 0 || !Cast::has_inverse(direction))) set_flat_axis(path, axis);
     }
   }
 
   // Boxes that do not reach where the path is are behind its end, and those that it has not left it never
   // leaves. Such a side is 0 times infinity from one that it grazes, which is no bound.
-  void set_flat_axis(const Path& path, unsigned axis) {
-    const double direction = path.direction[axis];
-    const double way = direction == 0 ? 0 : direction * path.end;
+  [[gnu::cold]] void set_flat_axis(const Path& path, unsigned axis) {
+    const double way = path.direction[axis] * path.end;
     const float low = canonical(path.box.min[axis]);
     const float high = canonical(path.box.max[axis]);
     const auto minima = static_cast<std::int32_t>(axis);
     numbers_.near[axis] = minima;
     numbers_.far[axis] = minima + 3;
-    numbers_.inverse[axis] = 0;
-    numbers_.sooner[axis] = numbers_.later[axis] = kInfinity;
-    numbers_.is_flat = true;
-    numbers_.can_be_certain = numbers_.can_be_certain && direction == 0;
+    numbers_.inverse[axis] = numbers_.sooner[axis] = numbers_.later[axis] = kInfinity;
+    numbers_.can_be_certain = false;
     numbers_.wide[axis] = kInfinity;
     numbers_.back[axis] = numbers_.low[axis] = way == 0 ? low : below(reach(low, way < 0 ? way : -0.0));
     numbers_.front[axis] = numbers_.high[axis] = way == 0 ? high : above(reach(high, way > 0 ? way : 0.0));
