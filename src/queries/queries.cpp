@@ -8,7 +8,7 @@
 #include "queries/batch.h"
 #include "queries/checks.h"
 #include "queries/questions.h"
-#include "queries/tree/tree_price.h"
+#include "queries/tree_price.h"
 
 namespace cellsweep {
 namespace {

@@ -7,8 +7,8 @@
 #include "contract/box_kinds.h"
 #include "contract/effort.h"
 #include "queries/random_questions.h"
-#include "queries/tree/tree_price.h"
 #include "queries/tree_check.h"
+#include "queries/tree_price.h"
 
 namespace cellsweep::queries {
 namespace {

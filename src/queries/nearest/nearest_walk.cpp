@@ -11,7 +11,7 @@
 #include "queries/nearest/cell_rings.h"
 #include "queries/rows.h"
 #include "queries/tree/box_tree.h"
-#include "queries/tree/tree_price.h"
+#include "queries/tree_price.h"
 
 namespace cellsweep::queries {
 namespace {

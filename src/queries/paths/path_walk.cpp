@@ -6,7 +6,7 @@
 #include "queries/paths/path_taker.h"
 #include "queries/rows.h"
 #include "queries/tree/box_tree.h"
-#include "queries/tree/tree_price.h"
+#include "queries/tree_price.h"
 
 namespace cellsweep::queries {
 namespace {

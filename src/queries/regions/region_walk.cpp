@@ -6,7 +6,7 @@
 #include "engines/stream/cells/cell_tree.h"
 #include "queries/rows.h"
 #include "queries/tree/box_tree.h"
-#include "queries/tree/tree_price.h"
+#include "queries/tree_price.h"
 
 namespace cellsweep::queries {
 namespace {

@@ -1,4 +1,4 @@
-#include "queries/tree/tree_price.h"
+#include "queries/tree_price.h"
 
 #include <memory>
 #include <new>
