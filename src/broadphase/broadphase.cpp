@@ -30,6 +30,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
         engine_(std::move(engine)),
         capacity_(engine_->capacity()) {
     if (timeline_) row_ = {timeline_.get(), timeline_->add_row(parts_.row_name)};
+    show_cells();
   }
 
   Impl(const Impl&) = delete;
@@ -88,6 +89,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   void abandon_update() {
     bodies_.undo();
     engine_is_lost_ = true;
+    show_cells();
   }
 
   std::string_view name() const {
@@ -108,10 +110,8 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   Engine& engine() {
     return *engine_;
   }
-  // After a failure the engine knows nothing, or no more than a part.
-  LastUpdate last_update() const {
-    const CellsToQuery cells = engine_is_lost_ ? CellsToQuery() : engine_->cells();
-    return {bodies_, cells, kept_tree_, readers_, crew_, crew_is_taken_};
+  const LastUpdate& last_update() const {
+    return last_update_;
   }
 
  private:
@@ -135,6 +135,10 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   Result<PairChanges> prepare();
   void commit();
   [[gnu::cold]] Status renew_engine();
+  // After a failure the engine knows nothing, or no more than a part.
+  void show_cells() {
+    last_update_.cells = engine_is_lost_ ? CellsToQuery() : engine_->cells();
+  }
   void name_changes(const FoundPairs& unfiltered);
   void tidy();
   std::size_t bytes_held() const {
@@ -161,6 +165,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   PairSet pairs_;
   std::size_t bytes_ = 0;  // bytes_held()
   Statistics statistics_;
+  LastUpdate last_update_{bodies_, {}, kept_tree_, readers_, crew_, crew_is_taken_};
 };
 
 Broadphase::Impl::~Impl() = default;
@@ -194,10 +199,14 @@ void Broadphase::Impl::commit() {
   ++statistics_.updates;
   if (!nothing_changed_ || gave_back_) bytes_ = bytes_held();
   statistics_.bytes += kept_tree_.bytes() + bytes_;
-  if (nothing_changed_) return pairs_.commit_nothing();
-  engine_is_lost_ = false;
-  pairs_.commit();
-  tidy();
+  if (nothing_changed_) {
+    pairs_.commit_nothing();
+  } else {
+    engine_is_lost_ = false;
+    pairs_.commit();
+    tidy();
+  }
+  show_cells();
 }
 
 Status Broadphase::Impl::renew_engine() {
@@ -364,7 +373,7 @@ std::span<const Aabb> EngineAccess::boxes_of(const Broadphase& broadphase) {
   return broadphase.impl_->bodies().all_boxes();
 }
 
-LastUpdate EngineAccess::last_update(const Broadphase& broadphase) {
+const LastUpdate& EngineAccess::last_update(const Broadphase& broadphase) {
   return broadphase.impl_->last_update();
 }
 

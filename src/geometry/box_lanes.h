@@ -92,6 +92,11 @@ inline bool same_bits(const BoxLanes& one, const BoxLanes& other) {
                      (reinterpret_cast<Int4>(one.max) == reinterpret_cast<Int4>(other.max)));
 }
 
+/// Lanes on which a box is what is_valid() says.
+inline Int4 valid_lanes(const BoxLanes& box) {
+  return (box.min >= -FLT_MAX) & (box.min <= box.max) & (box.max <= FLT_MAX);
+}
+
 /// Lanes that canonical() leaves as they are, and that are finite.
 inline Int4 clean_lanes(Float4 values) {
   // Twice the bits, which is without the sign, from twice the least normal number up to twice infinity; the

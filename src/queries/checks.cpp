@@ -3,6 +3,7 @@
 #include <cfloat>
 
 #include "base/text.h"
+#include "geometry/canonical.h"
 
 namespace cellsweep::queries {
 namespace {

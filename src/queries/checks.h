@@ -4,30 +4,34 @@
 
 #include <array>
 #include <cfloat>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
 #include "cellsweep/query.h"
 #include "geometry/box_lanes.h"
-#include "geometry/canonical.h"
 
 namespace cellsweep::queries {
 
 /// One that moves, and not beyond floats.
 inline bool is_direction(const std::array<double, 3>& direction) {
-  bool moves = false;
-  bool fits = true;
-  for (const double d : direction) {
-    moves = moves || d != 0;
-    fits = fits && std::fabs(d) <= FLT_MAX;
-  }
-  return moves && fits;
+  using Double2 [[gnu::vector_size(16)]] = double;
+  using Long2 [[gnu::vector_size(16)]] = std::int64_t;
+  const auto magnitude = [](Double2 values) {
+    return reinterpret_cast<Double2>(reinterpret_cast<Long2>(values) & INT64_MAX);
+  };
+  // Compilers take masks of doubles apart where they are not cast at once.
+  const auto fits = [](Double2 values) { return reinterpret_cast<Int4>(values <= double{FLT_MAX}); };
+  const auto moves = [](Double2 values) { return reinterpret_cast<Int4>(values > 0.0); };
+  const auto& [x, y, z] = direction;
+  const Double2 xy = magnitude(Double2{x, y});
+  const Double2 zz = magnitude(Double2{z, z});
+  return on_all_axes(fits(xy) & fits(zz)) && on_any_axis(moves(xy) | moves(zz));
 }
 
 inline bool is_good(const Aabb& box) {
-  return on_all_axes(clean_lanes(BoxLanes(box))) || is_valid(box);  // nearly all are clean
+  return on_all_axes(valid_lanes(BoxLanes(box)));
 }
 inline bool is_good(const Region& region) {
   return is_good(region.box) && region.distance >= 0;

@@ -27,7 +27,7 @@ class Call {
   const World& world() const { return world_; }
 
  private:
-  LastUpdate last_;
+  const LastUpdate& last_;
   Reading reading_;
   World world_;
 };

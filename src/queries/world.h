@@ -18,37 +18,30 @@ struct Candidate {
   Aabb box;
 };
 
+/// Reads what it is asked for when it is asked: most questions need a part of it, and are short.
 class World {
  public:
-  explicit World(const LastUpdate& last)
-      : boxes_(last.bodies.all_boxes()),
-        states_(last.bodies.staged().states()),
-        ids_(last.bodies.table().ids()),
-        filters_(last.bodies.filters().view()),
-        root_(last.cells.root),
-        are_exact_(root_ == nullptr || last.cells.are_exact),
-        kept_tree_(last.tree),
-        kernels_(query_kernels(last.cells.isa)) {}
+  explicit World(const LastUpdate& last) : last_(last), kernels_(query_kernels(last.cells.isa)) {}
 
   /// By slot, NaN where nobody is.
-  std::span<const Aabb> boxes() const { return boxes_; }
-  const Aabb& box(Slot slot) const { return boxes_[slot]; }
+  std::span<const Aabb> boxes() const { return last_.bodies.all_boxes(); }
+  const Aabb& box(Slot slot) const { return boxes()[slot]; }
   /// Of one who has a box: whether the last update saw it.
-  bool is_seen(Slot slot) const { return states_[slot] != kInserted; }
-  BodyId id(Slot slot) const { return ids_[slot]; }
-  BodyFilter filter(Slot slot) const { return filter_of(filters_, slot); }
+  bool is_seen(Slot slot) const { return last_.bodies.staged().state(slot) != kInserted; }
+  BodyId id(Slot slot) const { return last_.bodies.table().id(slot); }
+  BodyFilter filter(Slot slot) const { return last_.bodies.filter(slot); }
 
-  BodyBoxes bodies() const { return {boxes_, states_}; }
+  BodyBoxes bodies() const { return {boxes(), last_.bodies.staged().states()}; }
 
   /// The cells, which hold those whom the last update saw; null: there are none.
-  const stream::Node* root() const { return root_; }
+  const stream::Node* root() const { return last_.cells.root; }
   /// Whether a box that walk_region() finds overlaps for certain.
-  bool overlaps_are_certain() const { return are_exact_; }
+  bool overlaps_are_certain() const { return root() == nullptr || last_.cells.are_exact; }
   const QueryKernels& kernels() const { return kernels_; }
 
   /// A tree of the same bodies; null: there is none, or not yet.
-  const BoxTree* tree() const { return kept_tree_.get(); }
-  KeptTree& kept_tree() const { return kept_tree_; }
+  const BoxTree* tree() const { return kept_tree().get(); }
+  KeptTree& kept_tree() const { return last_.tree; }
 
   /// Whether a filter lets a body be an answer: but for the predicate, and all of it.
   bool may_be_answer(const QueryFilter& question, Slot slot) const {
@@ -59,13 +52,7 @@ class World {
   }
 
  private:
-  std::span<const Aabb> boxes_;
-  const BodyState* states_;
-  const BodyId* ids_;
-  std::span<const BodyFilter> filters_;
-  const stream::Node* root_;
-  bool are_exact_;
-  KeptTree& kept_tree_;
+  const LastUpdate& last_;
   const QueryKernels& kernels_;
 };
 

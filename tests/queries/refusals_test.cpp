@@ -72,6 +72,25 @@ TEST_F(RefusedQueries, DirectionsThatLeadNowhere) {
   EXPECT_FALSE(queries_.any_touch(MovingBox{kCube}).ok());
 }
 
+TEST_F(RefusedQueries, WhatIsBeyondFloatsOnAnyAxis) {
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const float number : {kInfinite, -kInfinite, kNaN}) {
+      Aabb box = kCube;
+      (number > 0 ? box.max : box.min)[axis] = number;
+      EXPECT_EQ(overlaps(box).code, StatusCode::invalid_box) << axis << ' ' << number;
+    }
+    Ray ray;
+    ray.direction[axis] = -std::numeric_limits<float>::max();
+    EXPECT_TRUE(queries_.any_touch(ray).ok()) << axis;
+    ray.direction[axis] = -3.5e38;
+    EXPECT_EQ(queries_.any_touch(ray).status().code, StatusCode::bad_input) << axis;
+    ray.direction[axis] = std::nan("");
+    EXPECT_EQ(queries_.any_touch(ray).status().code, StatusCode::bad_input) << axis;
+  }
+  EXPECT_EQ(overlaps(Point{0, kNaN, 0}).code, StatusCode::invalid_box);
+}
+
 TEST_F(RefusedQueries, LengthsBelowZero) {
   const Status radius = overlaps(Sphere{{0, 0, 0}, -1});
   EXPECT_EQ(radius.code, StatusCode::bad_input);

@@ -123,8 +123,8 @@ struct CELLSWEEP_API EngineAccess {
   /// By slot, as of the last update.
   static std::span<const Aabb> boxes_of(const Broadphase& broadphase);
 
-  /// What queries read.
-  static LastUpdate last_update(const Broadphase& broadphase);
+  /// What queries read: valid as long as the Broadphase, and kept up to date.
+  static const LastUpdate& last_update(const Broadphase& broadphase);
 };
 
 }  // namespace cellsweep

@@ -112,7 +112,7 @@ void walk_tree_on_path(const TreeNode* nodes, const CastNumbers& path, const Tak
 
 template <class Lanes>
 bool walk_tree_to_any(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
-  const CastAtNode<Lanes> cast(path);
+  CastAtNode<Lanes> cast(path);
   WaitingNodes waiting(nodes);
   float keys[TreeNode::kBoxes];
   for (const TreeNode* node = nodes; node != nullptr;) {
@@ -121,6 +121,8 @@ bool walk_tree_to_any(const TreeNode* nodes, const CastNumbers& path, const Take
     if (const std::uint32_t bodies = bits & node->bodies; bodies != 0) {
       if (cast.is_certain(*node, bodies)) return true;
       if (!take.take(take.self, *node, bodies)) return false;
+      // Nothing that stays in a register over the call: else it would be in memory all the time.
+      cast = CastAtNode<Lanes>(path);
     }
     node = waiting.next(*node, bits & node->nodes, keys, path.end);
   }

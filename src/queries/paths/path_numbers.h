@@ -79,14 +79,16 @@ class PathNumbers {
 
   // An axis that is flat counts as one along which it goes up, infinitely slowly.
   void set_axes(const BoxLanes& box, Float4 direction) {
-    const Int4 goes_down = direction < 0;
+    // Not a comparison, which compilers would follow by choices between numbers: these take more operations.
+    const Int4 goes_down = reinterpret_cast<Int4>(direction) >> 31;
     const Int4 to_maxima = goes_down & 3;
-    const Float4 min = canonical(box.min);
-    const Float4 max = canonical(box.max);
+    const auto min = reinterpret_cast<Int4>(canonical(box.min));
+    const auto max = reinterpret_cast<Int4>(canonical(box.max));
+    const Int4 swap = (min ^ max) & goes_down;
     store4(Int4{0, 1, 2, 2} + to_maxima, numbers_.near);
     store4(Int4{3, 4, 5, 5} - to_maxima, numbers_.far);
-    store4(goes_down ? min : max, numbers_.front);
-    store4(goes_down ? max : min, numbers_.back);
+    store4(reinterpret_cast<Float4>(max ^ swap), numbers_.front);
+    store4(reinterpret_cast<Float4>(min ^ swap), numbers_.back);
     store4(kSmaller / direction, numbers_.sooner);
     store4(kLarger / direction, numbers_.later);
     store4(1.0F / direction, numbers_.inverse);
