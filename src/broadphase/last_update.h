@@ -14,7 +14,7 @@ namespace cellsweep {
 
 struct LastUpdate {
   const Bodies& bodies;  ///< those that the update did not see, which have boxes already, among them
-  CellsToQuery cells;
+  CellsToQuery cells;    ///< none after an update that failed
   KeptTree& tree;
   Readers& readers;
   Crew& crew;                       ///< belongs to whoever

@@ -3,7 +3,6 @@
 #include <cfloat>
 
 #include "base/text.h"
-#include "geometry/canonical.h"
 
 namespace cellsweep::queries {
 namespace {
@@ -42,18 +41,18 @@ using Place = std::optional<std::size_t>;
 }  // namespace
 
 Status check(const Aabb& box, Place place) {
-  if (!is_valid(box)) return refuse_box(box, place);
+  if (!is_good(box)) return refuse_box(box, place);
   return {};
 }
 
 Status check(const Region& region, Place place) {
-  if (!is_valid(region.box)) return refuse_box(region.box, place);
+  if (!is_good(region.box)) return refuse_box(region.box, place);
   if (!(region.distance >= 0)) return refuse_number("The distance", region.distance, place);
   return {};
 }
 
 Status check(const Path& path, Place place) {
-  if (!is_valid(path.box)) return refuse_box(path.box, place);
+  if (!is_good(path.box)) return refuse_box(path.box, place);
   if (!is_direction(path.direction)) return refuse_direction(path.direction, place);
   if (!(path.end >= 0)) return refuse_number("The end", path.end, place);
   return {};

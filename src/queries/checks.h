@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cfloat>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -16,18 +16,13 @@ namespace cellsweep::queries {
 
 /// One that moves, and not beyond floats.
 inline bool is_direction(const std::array<double, 3>& direction) {
-  using Double2 [[gnu::vector_size(16)]] = double;
-  using Long2 [[gnu::vector_size(16)]] = std::int64_t;
-  const auto magnitude = [](Double2 values) {
-    return reinterpret_cast<Double2>(reinterpret_cast<Long2>(values) & INT64_MAX);
-  };
-  // Compilers take masks of doubles apart where they are not cast at once.
-  const auto fits = [](Double2 values) { return reinterpret_cast<Int4>(values <= double{FLT_MAX}); };
-  const auto moves = [](Double2 values) { return reinterpret_cast<Int4>(values > 0.0); };
-  const auto& [x, y, z] = direction;
-  const Double2 xy = magnitude(Double2{x, y});
-  const Double2 zz = magnitude(Double2{z, z});
-  return on_all_axes(fits(xy) & fits(zz)) && on_any_axis(moves(xy) | moves(zz));
+  bool moves = false;
+  bool fits = true;
+  for (const double d : direction) {
+    moves = moves || d != 0;
+    fits = fits && std::fabs(d) <= FLT_MAX;
+  }
+  return moves && fits;
 }
 
 inline bool is_good(const Aabb& box) {

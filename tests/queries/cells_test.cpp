@@ -2,8 +2,10 @@
 /// The cells that questions go through are those of the last update, and none after one that failed.
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <memory>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "broadphase/last_update.h"
 #include "cellsweep/engine/engine.h"
@@ -66,11 +68,28 @@ TEST_F(Cubes, OfAFailedUpdateAreNotSeen) {
   EXPECT_EQ(overlap(Point{5200.5F, 0, 0}), std::vector<BodyId>{100});
 }
 
-TEST_F(Cubes, AreThoseOfTheEngineWhateverAnUpdateDoes) {
-  for (int frame = 0; frame < 100; ++frame) {
-    const bool all = frame % 30 < 5;
-    ASSERT_TRUE(all ? move_to(static_cast<float>(frame), 1).ok() : broadphase_.update().ok());
-    ASSERT_EQ(root(), EngineAccess::engine_of(broadphase_).cells().root) << "in frame " << frame;
+/// Has other cells after each update, also where nothing has changed.
+class RestlessEngine final : public Engine {
+ public:
+  Capacity capacity() const override { return {}; }
+  Result<FoundPairs> update(const BodyChanges& /*changes*/, Statistics& /*statistics*/) override {
+    are_exact_ = !are_exact_;
+    return FoundPairs();
+  }
+  CellsToQuery cells() const override { return {nullptr, VectorIsa::best, are_exact_}; }
+
+ private:
+  bool are_exact_ = false;
+};
+
+TEST(CellsToQuery, AreAskedForAfterEachUpdate) {
+  auto made = EngineAccess::make(
+      "restless", [] { return Result<std::unique_ptr<Engine>>(std::make_unique<RestlessEngine>()); });
+  ASSERT_TRUE(made.ok());
+  for (int update = 0; update < 3; ++update) {
+    ASSERT_TRUE(made->update().ok());
+    EXPECT_EQ(EngineAccess::last_update(*made).cells.are_exact,
+              EngineAccess::engine_of(*made).cells().are_exact);
   }
 }
 
