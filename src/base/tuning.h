@@ -200,11 +200,11 @@ inline constexpr double kPlacesOfEdge = 16;
 /// Places are no more than so many times as many as boxes, up to twice that: to count takes time, too. EPYC,
 /// AVX-512, axis 1,000 and 4,000: 0.93 of the time with half of it, 0.9 with as many as there are numbers.
 inline constexpr std::size_t kPlacesOfBox = 2;
-/// More boxes than kMostSweptInMotion are not sorted where a few of them say that a box is compared with more
-/// vectors of bytes than this. EPYC, AVX-512 and AVX2, all scenes, 3,000 to 100,000: cells take as long from
-/// three to five on.
+/// More boxes than kMostSweptInMotion are not sorted where a few of them say that a box is compared with
+/// others more often than this, so many at once as vectors of bytes tell apart. EPYC, AVX-512 and AVX2, all
+/// scenes, 3,000 to 100,000: cells take as long from three to five on.
 inline constexpr double kVectorsExpected = 3;
-/// Cells take less than more vectors of bytes than this a body. EPYC, AVX-512, 1,024 cubes, ever more
+/// Cells take less than more such comparisons a body. EPYC, AVX-512, 1,024 cubes, ever more
 /// crowded: as much from five or six on.
 inline constexpr std::uint32_t kVectorsOfSwept = 6;
 /// And than so many tests of boxes a body that find nothing. EPYC, AVX-512, uniform 1,024, some bodies

@@ -8,22 +8,29 @@
 namespace cellsweep::stream {
 namespace {
 
-/// Sixty-four bytes at a time.
-struct Avx512Bytes {
-  static constexpr unsigned kCount = 64;
+/// Sixty-four boxes of four bytes at a time.
+struct Avx512FourBytes {
+  static constexpr unsigned kBoxes = 64;
   using Vector = __m512i;
-  using Mask = __mmask64;
 
-  static Vector broadcast(std::uint8_t byte) { return _mm512_set1_epi8(static_cast<char>(byte)); }
-  static Vector load(const std::uint8_t* from) { return _mm512_loadu_si512(from); }
-  static Mask less_equal(Vector a, Vector b) { return _mm512_cmple_epu8_mask(a, b); }
-  static Mask both(Mask a, Mask b) { return a & b; }
-  static std::uint64_t bits(Mask mask) { return mask; }
+  // Not _mm512_broadcastd_epi32(), of which GCC 12 warns that it reads what was not set.
+  static Vector broadcast(__m128i bytes) { return _mm512_maskz_broadcastd_epi32(0xffff, bytes); }
+  static std::uint64_t within(const std::uint32_t* boxes, Vector bounds) {
+    const __mmask32 low = _mm512_kunpackw(sixteen(boxes + 16, bounds), sixteen(boxes, bounds));
+    const __mmask32 high = _mm512_kunpackw(sixteen(boxes + 48, bounds), sixteen(boxes + 32, bounds));
+    return _mm512_kunpackd(high, low);
+  }
+
+ private:
+  static __mmask16 sixteen(const std::uint32_t* boxes, Vector bounds) {
+    const Vector above = _mm512_subs_epu8(_mm512_loadu_si512(boxes), bounds);
+    return _mm512_testn_epi32_mask(above, above);
+  }
 };
 
 }  // namespace
 
 constinit const Kernels kAvx512Kernels =
-    make_kernels<Avx512Lanes>(VectorIsa::avx512, "avx512", eight_rows_at_once, sweep<Avx512Bytes>);
+    make_kernels<Avx512Lanes>(VectorIsa::avx512, "avx512", eight_rows_at_once, sweep<Avx512FourBytes>);
 
 }  // namespace cellsweep::stream

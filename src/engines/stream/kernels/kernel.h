@@ -42,13 +42,12 @@ struct alignas(32) EightRows {
   std::uint32_t there;  ///< a bit for each that is somebody: not NaN
 };
 
-/// Boxes on two axes in bytes, in the order of a third axis. Behind the last one there is room for as many as
-/// a vector holds, with anything in it.
+/// Boxes on two axes in bytes, in the order of a third axis.
 struct SweptBoxes {
-  const std::uint8_t* low_y;
-  const std::uint8_t* high_y;
-  const std::uint8_t* low_z;
-  const std::uint8_t* high_z;
+  /// Behind the last one there is room for so many more, with anything in it.
+  static constexpr std::uint32_t kRoom = 64;
+
+  const std::uint32_t* bytes;  ///< of each from the lowest on: low y, 255 - high y, low z, 255 - high z
   const std::uint32_t* end;    ///< for each the first one behind it that begins beyond it
   const std::uint32_t* slots;  ///< of each,
   const Aabb* boxes;           ///< and the boxes by slot

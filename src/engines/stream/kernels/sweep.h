@@ -1,6 +1,9 @@
 /// @file
-/// The sweep, for any vector of bytes: `Bytes` says how wide it is, loads, broadcasts and compares.
+/// The sweep, for any vectors of bytes: `FourBytes` says which of kBoxes boxes of four bytes are within
+/// bounds.
 #pragma once
+
+#include <smmintrin.h>
 
 #include "engines/stream/kernels/faces.h"
 #include "engines/stream/kernels/four_sse41.h"
@@ -16,13 +19,12 @@ struct SweptHits {
   std::uint32_t first;
 };
 
-/// So many vectors with hits are looked at at once: no branch depends on a comparison before.
+/// So many boxes with hits are looked at at once: no branch depends on a comparison before.
 inline constexpr std::uint32_t kHitsAtOnce = 128;
 
 /// Bits for those below `count`.
-template <class Bytes>
-std::uint64_t bytes_below(std::uint32_t count) {
-  return count >= Bytes::kCount ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+inline std::uint64_t bits_below(std::uint32_t count) {
+  return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }
 
 /// Returns how many tests that took.
@@ -45,19 +47,22 @@ inline std::uint64_t test_hits(const SweptBoxes& boxes, const SweptHits* hits, s
   return tests;
 }
 
-template <class Bytes>
-std::uint64_t byte_hits(const SweptBoxes& boxes, std::uint32_t place, std::uint32_t first,
-                        std::uint32_t end) {
-  const auto low_y = Bytes::broadcast(boxes.low_y[place]), high_y = Bytes::broadcast(boxes.high_y[place]);
-  const auto low_z = Bytes::broadcast(boxes.low_z[place]), high_z = Bytes::broadcast(boxes.high_z[place]);
-  auto all = Bytes::less_equal(Bytes::load(boxes.low_y + first), high_y);
-  all = Bytes::both(all, Bytes::less_equal(low_y, Bytes::load(boxes.high_y + first)));
-  all = Bytes::both(all, Bytes::less_equal(Bytes::load(boxes.low_z + first), high_z));
-  all = Bytes::both(all, Bytes::less_equal(low_z, Bytes::load(boxes.high_z + first)));
-  return Bytes::bits(all) & bytes_below<Bytes>(end - first);
+/// What no byte of a box that overlaps this one is above: its bytes, those of lower ends in the place of
+/// those of upper ones and the other way round, of each what is left to 255.
+inline __m128i bounds_of(std::uint32_t box) {
+  const __m128i other_ends = _mm_setr_epi8(1, 0, 3, 2, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1);
+  return _mm_shuffle_epi8(_mm_cvtsi32_si128(static_cast<int>(~box)), other_ends);
 }
 
-template <class Bytes>
+/// Of the boxes from `first` on to `end`, so many at most as are compared at once.
+template <class FourBytes>
+std::uint64_t byte_hits(const SweptBoxes& boxes, std::uint32_t place, std::uint32_t first,
+                        std::uint32_t end) {
+  const auto bounds = FourBytes::broadcast(bounds_of(boxes.bytes[place]));
+  return FourBytes::within(boxes.bytes + first, bounds) & bits_below(end - first);
+}
+
+template <class FourBytes>
 SweepResult sweep(const SweptBoxes& swept, std::uint64_t most_tests, KeyBuffer& found) {
   const SweptBoxes boxes = swept;  // a copy: what is written must not look like a change of it
   SweptHits hits[kHitsAtOnce];
@@ -68,11 +73,11 @@ SweepResult sweep(const SweptBoxes& swept, std::uint64_t most_tests, KeyBuffer& 
     std::uint32_t count = 0;
     while (place < boxes.count && count < kHitsAtOnce) {
       const std::uint32_t end = boxes.end[place];
-      // A first vector whether there is one behind it or not, which no branch could know: nearly all have.
+      // Once whether there is a box behind it or not, which no branch could know: nearly all have one.
       do {
-        hits[count] = {byte_hits<Bytes>(boxes, place, first, end), place, first};
+        hits[count] = {byte_hits<FourBytes>(boxes, place, first, end), place, first};
         count += hits[count].lanes != 0 ? 1 : 0;
-        first += Bytes::kCount;
+        first += FourBytes::kBoxes;
       } while (first < end && count < kHitsAtOnce);
       if (first < end) break;
       first = ++place + 1;

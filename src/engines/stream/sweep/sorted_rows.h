@@ -20,20 +20,21 @@ class SortedRows {
   /// With the boxes by slot; valid until the next sort().
   SweptBoxes view(std::span<const Aabb> boxes) const;
   /// How many comparisons in bytes a sweep makes: of each box with those behind it that begin before it ends.
-  std::uint64_t comparisons() const;
+  std::uint64_t comparisons() const { return comparisons_; }
 
-  std::size_t bytes() const { return slots_.bytes() + ends_.bytes() + counts_.bytes() + bytes_.bytes(); }
+  std::size_t bytes() const {
+    return rows_.bytes() + next_.bytes() + slots_.bytes() + ends_.bytes() + bytes_.bytes();
+  }
 
  private:
-  /// Room behind the last byte for a vector.
-  static constexpr std::size_t kPadding = 64;
+  void set_columns(unsigned shift);
 
-  std::size_t room() const { return slots_.size() + kPadding; }
-
+  Array<SweepRow> rows_;
+  Array<std::uint32_t> next_;  // for each place
   Array<Slot> slots_;
   Array<std::uint32_t> ends_;
-  Array<std::uint32_t> counts_;
-  Array<std::uint8_t> bytes_;  // low y, high y, low z, high z, one list behind the other
+  Array<std::uint32_t> bytes_;
+  std::uint64_t comparisons_ = 0;
 };
 
 }  // namespace cellsweep::stream

@@ -8,8 +8,8 @@
 namespace cellsweep::stream {
 namespace {
 
-/// A vector holds so many times as many bytes as boxes.
-constexpr unsigned kBytesOfLane = 4;
+/// In bytes so many times as many boxes are compared at once.
+constexpr unsigned kBoxesOfLane = 4;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void Sweep::make_rows(const Kernels& kernels, std::span<const Aabb> boxes) {
     }
     kernels.eight_rows(eight, map_.numbers(), map_.axis(), rows);
     for (std::uint32_t i = 0; i < kEight; ++i) {
-      *to = {rows.on_axis[i], rows.on_others[i], first + i};
+      *to = {rows.on_axis[i], rows.on_others[i], first + i, 0};
       to += rows.there >> i & 1;
     }
   }
@@ -61,11 +61,11 @@ void Sweep::make_rows(const Kernels& kernels, std::span<const Aabb> boxes) {
 // Of few boxes too little is known to tell, and to sort them takes little.
 bool Sweep::promises(const Kernels& kernels, std::span<const Aabb> boxes) const {
   return boxes.size() <= tuning::kMostSweptInMotion ||
-         map_.comparisons(kernels, boxes) <= kBytesOfLane * kernels.lanes * tuning::kVectorsExpected;
+         map_.comparisons(kernels, boxes) <= kBoxesOfLane * kernels.lanes * tuning::kVectorsExpected;
 }
 
 bool Sweep::pays(const Kernels& kernels) const {
-  return compared_ <= std::uint64_t{kBytesOfLane} * kernels.lanes * tuning::kVectorsOfSwept * rows_.size();
+  return compared_ <= std::uint64_t{kBoxesOfLane} * kernels.lanes * tuning::kVectorsOfSwept * rows_.size();
 }
 
 bool Sweep::find_pairs(const Kernels& kernels, std::span<const Aabb> boxes, KeyBuffer& found) {

@@ -72,6 +72,21 @@ TEST_P(SweepTest, FindsThePairsOfManyBoxes) {
   EXPECT_EQ(pairs_of(boxes), pairs_among(boxes));
 }
 
+TEST_P(SweepTest, CountsComparisonsAndTests) {
+  constexpr std::size_t kBoxes = 20;
+  EXPECT_THAT(pairs_of(std::vector<Aabb>(kBoxes)), testing::SizeIs(kBoxes * (kBoxes - 1) / 2));
+  EXPECT_EQ(sweep_.tests(), kBoxes * kBoxes) << "each is compared with itself and those behind it";
+  pairs_of(std::vector<Aabb>(kBoxes));
+  EXPECT_EQ(sweep_.tests(), 2 * kBoxes * kBoxes);
+}
+
+TEST_P(SweepTest, LeavesToCellsWhereAllMeet) {
+  Keys keys;
+  EXPECT_FALSE(sweep_.find(*kernels_, std::vector<Aabb>(2000), keys));
+  EXPECT_THAT(keys.view(), IsEmpty());
+  EXPECT_EQ(sweep_.tests(), 0U) << "before any is compared";
+}
+
 // Whether small numbers tell enough or not, every pair is found or none.
 TEST_P(SweepTest, FindsAllPairsOrNoneOfEveryKindOfBoxes) {
   Random random(7);
