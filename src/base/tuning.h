@@ -198,14 +198,15 @@ inline constexpr std::size_t kMostSweptInMotion = 3072;
 /// all scenes.
 inline constexpr double kPlacesOfEdge = 16;
 /// Places are no more than so many times as many as boxes, up to twice that: to count takes time, too. EPYC,
-/// AVX-512, axis 1,000 and 4,000: 0.93 of the time with half of it, 0.9 with as many as there are numbers.
+/// AVX-512, axis, dust, uniform and clustered, 1,000 and 2,000: 0.93 to 1.03 of the time with half or twice
+/// as many.
 inline constexpr std::size_t kPlacesOfBox = 2;
-/// More boxes than kMostSweptInMotion are not sorted where a few of them say that a box is compared with
-/// others more often than this, so many at once as vectors of bytes tell apart. EPYC, AVX-512 and AVX2, all
+/// More boxes than kMostSweptInMotion are not sorted where a few of them say that a box takes more
+/// comparisons than this, each with as many others as a kernel compares at once. EPYC, AVX-512 and AVX2, all
 /// scenes, 3,000 to 100,000: cells take as long from three to five on.
 inline constexpr double kVectorsExpected = 3;
-/// Cells take less than more such comparisons a body. EPYC, AVX-512, 1,024 cubes, ever more
-/// crowded: as much from five or six on.
+/// Cells take less than more such comparisons a body. EPYC, AVX-512, 1,024 cubes, ever more crowded: as much
+/// from five or six on.
 inline constexpr std::uint32_t kVectorsOfSwept = 6;
 /// And than so many tests of boxes a body that find nothing. EPYC, AVX-512, uniform 1,024, some bodies
 /// outside: as much from about four on.

@@ -64,6 +64,7 @@ std::uint64_t byte_hits(const SweptBoxes& boxes, std::uint32_t place, std::uint3
 
 template <class FourBytes>
 SweepResult sweep(const SweptBoxes& swept, std::uint64_t most_tests, KeyBuffer& found) {
+  static_assert(FourBytes::kBoxes <= SweptBoxes::kRoom);
   const SweptBoxes boxes = swept;  // a copy: what is written must not look like a change of it
   SweptHits hits[kHitsAtOnce];
   const std::size_t before = found.size;

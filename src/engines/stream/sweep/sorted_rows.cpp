@@ -23,7 +23,7 @@ unsigned shift_for(std::uint32_t numbers, std::size_t rows) {
 
 }  // namespace
 
-// By counting: where the rows of a place begin becomes where they end as they are put there.
+// By counting: where the rows of a number begin becomes where they end as they are put there.
 void SortedRows::sort(std::span<const SweepRow> rows, std::uint32_t numbers) {
   const unsigned shift = shift_for(numbers, rows.size());
   const std::uint32_t places = numbers >> shift;
@@ -33,34 +33,28 @@ void SortedRows::sort(std::span<const SweepRow> rows, std::uint32_t numbers) {
   for (const SweepRow& row : rows) ++next[row.low() >> shift];
   std::uint32_t sum = 0;
   for (std::uint32_t place = 0; place < places; ++place) sum += std::exchange(next[place], sum);
-  rows_.renew(rows.size());
-  SweepRow* const sorted = rows_.data();
-  for (const SweepRow& row : rows) sorted[next[row.low() >> shift]++] = row;
-  set_columns(shift);
-}
-
-void SortedRows::set_columns(unsigned shift) {
-  const auto count = static_cast<std::uint32_t>(rows_.size());
-  slots_.renew(count);
-  ends_.renew(count);
-  bytes_.renew(count + SweptBoxes::kRoom);
-  const SweepRow* const rows = rows_.data();
-  const std::uint32_t* const end_of_place = next_.data();
+  slots_.renew(rows.size());
+  ends_.renew(rows.size());
+  bytes_.renew(rows.size() + SweptBoxes::kRoom);
   Slot* const slots = slots_.data();
   std::uint32_t* const ends = ends_.data();
   std::uint32_t* const bytes = bytes_.data();
+  for (const SweepRow row : rows) {
+    const std::uint32_t to = next[row.low() >> shift]++;
+    slots[to] = row.slot;
+    ends[to] = row.high() >> shift;
+    bytes[to] = row.on_others ^ kUpperEnds;
+  }
   comparisons_ = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const std::uint32_t end = end_of_place[rows[i].high() >> shift];
-    slots[i] = rows[i].slot;
-    bytes[i] = rows[i].on_others ^ kUpperEnds;
-    ends[i] = end;
-    comparisons_ += end - i;
+  for (std::uint32_t place = 0; place < rows.size(); ++place) {
+    ends[place] = next[ends[place]];
+    comparisons_ += ends[place] - place;
   }
 }
 
 SweptBoxes SortedRows::view(std::span<const Aabb> boxes) const {
-  return {bytes_.data(), ends_.data(), slots_.data(), boxes.data(), static_cast<std::uint32_t>(rows_.size())};
+  return {bytes_.data(), ends_.data(), slots_.data(), boxes.data(),
+          static_cast<std::uint32_t>(slots_.size())};
 }
 
 }  // namespace cellsweep::stream

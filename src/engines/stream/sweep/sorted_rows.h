@@ -22,15 +22,10 @@ class SortedRows {
   /// How many comparisons in bytes a sweep makes: of each box with those behind it that begin before it ends.
   std::uint64_t comparisons() const { return comparisons_; }
 
-  std::size_t bytes() const {
-    return rows_.bytes() + next_.bytes() + slots_.bytes() + ends_.bytes() + bytes_.bytes();
-  }
+  std::size_t bytes() const { return next_.bytes() + slots_.bytes() + ends_.bytes() + bytes_.bytes(); }
 
  private:
-  void set_columns(unsigned shift);
-
-  Array<SweepRow> rows_;
-  Array<std::uint32_t> next_;  // for each place
+  Array<std::uint32_t> next_;  // for each number
   Array<Slot> slots_;
   Array<std::uint32_t> ends_;
   Array<std::uint32_t> bytes_;

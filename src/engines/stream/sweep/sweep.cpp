@@ -51,7 +51,7 @@ void Sweep::make_rows(const Kernels& kernels, std::span<const Aabb> boxes) {
     }
     kernels.eight_rows(eight, map_.numbers(), map_.axis(), rows);
     for (std::uint32_t i = 0; i < kEight; ++i) {
-      *to = {rows.on_axis[i], rows.on_others[i], first + i, 0};
+      *to = {rows.on_axis[i], rows.on_others[i], first + i};
       to += rows.there >> i & 1;
     }
   }

@@ -13,7 +13,6 @@ struct SweepRow {
   std::uint32_t on_axis;
   std::uint32_t on_others;
   Slot slot;
-  std::uint32_t unused;  // rows are copied in one piece
 
   std::uint32_t low() const { return on_axis & 0xffffU; }
   std::uint32_t high() const { return on_axis >> 16; }
