@@ -7,6 +7,7 @@
 
 #include "base/float_environment.h"
 #include "base/process.h"
+#include "base/threads/deferred.h"
 #include "base/tuning.h"
 #include "broadphase/bodies/bodies.h"
 #include "broadphase/kept_tree.h"
@@ -89,6 +90,8 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   void abandon_update() {
     bodies_.undo();
     engine_is_lost_ = true;
+    engine_counts_ = false;
+    counting_.put_off();
     show_cells();
   }
 
@@ -105,6 +108,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
     return pairs_.pairs();
   }
   const Statistics& statistics() const {
+    counting_.finish([&] { count(); });
     return statistics_;
   }
   Engine& engine() {
@@ -141,9 +145,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   }
   void name_changes(const FoundPairs& unfiltered);
   void tidy();
-  std::size_t bytes_held() const {
-    return bodies_.bytes() + filter_.bytes() + order_.bytes() + pairs_.bytes();
-  }
+  [[gnu::cold]] void count() const;
 
   HandleParts parts_;
   std::shared_ptr<Timeline> timeline_;  // goes after the engine, whose SPEs end before it is written
@@ -163,8 +165,9 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   PairFilter filter_;
   PairOrder order_;
   PairSet pairs_;
-  std::size_t bytes_ = 0;  // bytes_held()
-  Statistics statistics_;
+  mutable Statistics statistics_;
+  Deferred counting_;           // of what is put together when somebody asks for statistics
+  bool engine_counts_ = false;  // its last update succeeded
   LastUpdate last_update_{bodies_, {}, kept_tree_, readers_, crew_, crew_is_taken_};
 };
 
@@ -197,8 +200,9 @@ void Broadphase::Impl::commit() {
   if (!nothing_changed_) kept_tree_.note(changes_);
   bodies_.commit();
   ++statistics_.updates;
-  if (!nothing_changed_ || gave_back_) bytes_ = bytes_held();
-  statistics_.bytes += kept_tree_.bytes() + bytes_;
+  statistics_.bytes += kept_tree_.bytes();
+  engine_counts_ = true;
+  counting_.put_off();
   if (nothing_changed_) {
     pairs_.commit_nothing();
   } else {
@@ -207,6 +211,11 @@ void Broadphase::Impl::commit() {
     tidy();
   }
   show_cells();
+}
+
+void Broadphase::Impl::count() const {
+  if (engine_counts_) engine_->count(statistics_);
+  statistics_.bytes += bodies_.bytes() + filter_.bytes() + order_.bytes() + pairs_.bytes();
 }
 
 Status Broadphase::Impl::renew_engine() {

@@ -19,7 +19,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A box with edge 1 whose lower corner is at (x, 0, 0).
 /// An engine that can be told how many pairs there may be.
 struct LimitedEngine {
   const char* label;
@@ -70,6 +69,22 @@ TEST_P(FailedUpdateContract, TheFirstUpdateMayFailAndThereAreNoPairs) {
   ASSERT_TRUE(checked.move({3}, {cube_at(9)}));
   ASSERT_TRUE(checked.update());
   EXPECT_THAT(checked.answer().began, ElementsAre(Pair{1, 2}));
+}
+
+TEST_P(FailedUpdateContract, StatisticsAreThoseOfTheBodiesUntilOneSucceeds) {
+  Broadphase engine = std::move(*GetParam().make(2));
+  ASSERT_TRUE(engine.insert(std::vector<BodyId>{1, 2}, std::vector<Aabb>(2, cube_at(0))).ok());
+  ASSERT_TRUE(engine.update().ok());
+  const std::uint64_t bytes = engine.statistics().bytes;
+  ASSERT_TRUE(engine.insert(3, cube_at(0)).ok());
+  ASSERT_FALSE(engine.update().ok());
+  EXPECT_EQ(engine.statistics().updates, 1U);
+  EXPECT_GT(engine.statistics().bytes, 0U);
+  EXPECT_LT(engine.statistics().bytes, bytes) << "the engine is thrown away";
+  ASSERT_TRUE(engine.move(3, cube_at(9)).ok());
+  ASSERT_TRUE(engine.update().ok());
+  EXPECT_EQ(engine.statistics().updates, 2U);
+  EXPECT_GE(engine.statistics().bytes, bytes);
 }
 
 TEST_P(FailedUpdateContract, AsManyPairsAsThereMayBeAreFine) {

@@ -1,8 +1,11 @@
 /// @file
 /// What engines tell about themselves.
+#include <array>
 #include <cmath>
 #include <set>
 #include <string_view>
+#include <thread>
+#include <vector>
 
 #include "contract/contract_fixture.h"
 
@@ -50,6 +53,29 @@ TEST_P(StatisticsContract, NumbersKeepTheirNamesFromUpdateToUpdate) {
   ASSERT_TRUE(engine.insert(1, Aabb{}).ok());
   ASSERT_TRUE(engine.update().ok());
   EXPECT_EQ(names(), first);
+}
+
+// What they say is put together when somebody asks.
+TEST_P(StatisticsContract, AreTheSameForAllThatAskAtTheSameTime) {
+  Broadphase engine = make(GetParam());
+  ASSERT_TRUE(engine.insert(1, Aabb{{0, 0, 0}, {1, 1, 1}}).ok());
+  ASSERT_TRUE(engine.insert(2, Aabb{{0, 0, 0}, {1, 1, 1}}).ok());
+  for (int update = 0; update < 3; ++update) {
+    ASSERT_TRUE(engine.move(2, Aabb{{0, 0, 0}, {1, 1, 2 + static_cast<float>(update)}}).ok());
+    ASSERT_TRUE(engine.update().ok());
+    std::array<std::uint64_t, 4> bytes{};
+    std::vector<std::thread> threads;
+    for (std::uint64_t& of_one : bytes) {
+      threads.emplace_back([&] {
+        EXPECT_EQ(engine.pairs().size(), 1U);
+        of_one = engine.statistics().bytes;
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_GT(bytes[0], 0U);
+    for (const std::uint64_t of_one : bytes) EXPECT_EQ(of_one, bytes[0]);
+    EXPECT_EQ(engine.statistics().bytes, bytes[0]);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, StatisticsContract, all_engines(), engine_label);

@@ -82,6 +82,10 @@ class CELLSWEEP_API Engine {
   /// to its bytes.
   virtual Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) = 0;
 
+  /// Fills in what would take time in each update though hardly anybody asks. Called when somebody does, once
+  /// after an update that succeeded. Must not throw: an update makes room for counters.
+  virtual void count(Statistics& /*statistics*/) const {}
+
   /// Whether it ran out of memory behind the last update, in a thread of its own: nobody was told, and it is
   /// thrown away before the next update, too.
   virtual bool ran_out_of_memory() const { return false; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
 #include <vector>
 
 #include "base/sorting/key_sort.h"
@@ -168,7 +169,26 @@ Ranges gather(KeyParts parts, std::span<Key> keys) {
   return ranges;
 }
 
+/// By insertion. After an update in which hardly anybody moved that is all there is to sort, and the rest of
+/// this file is not in the caches.
+void sort_few(KeyParts parts, std::uint32_t* numbers) {
+  std::array<Key, tuning::kFewKeys> keys;  // NOLINT(*-member-init): written before it is read
+  std::size_t count = 0;
+  for (const std::span<const Key> part : parts) {
+    for (const Key key : part) {
+      std::size_t place = count++;
+      for (; place > 0 && keys[place - 1] > key; --place) keys[place] = keys[place - 1];
+      keys[place] = key;
+    }
+  }
+  for (const Key key : std::span(keys).first(count)) {
+    *numbers++ = static_cast<std::uint32_t>(key >> 32);
+    *numbers++ = static_cast<std::uint32_t>(key);
+  }
+}
+
 void sort_in_one_step(KeyParts parts, std::size_t total, Array<Key>& scratch, std::uint32_t* numbers) {
+  if (total <= tuning::kFewKeys) return sort_few(parts, numbers);
   if (sort_narrow_pairs(parts, 0, scratch, numbers)) return;
   scratch.renew(2 * total);
   const std::span<Key> keys = scratch.view().first(total);

@@ -34,6 +34,13 @@ class Deferred {
     waits_.store(false, std::memory_order_release);
   }
 
+  /// A look at what is written there, while nobody does it.
+  template <class Look>
+  void while_nobody(const Look& look) const {
+    const std::lock_guard lock(mutex_);
+    look();
+  }
+
  private:
   mutable std::atomic<bool> waits_ = false;
   mutable std::mutex mutex_;

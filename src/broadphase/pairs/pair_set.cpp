@@ -82,7 +82,8 @@ void PairSet::list_all() const {
 }
 
 std::size_t PairSet::bytes() const {
-  std::size_t sum = list_.bytes() + spare_.bytes();
+  std::size_t sum = 0;
+  listing_.while_nobody([&] { sum = list_.bytes() + spare_.bytes(); });
   for (const Array<Pair>* list : {&began_, &ended_, &next_began_, &next_ended_, &whole_})
     sum += list->bytes();
   return sum;

@@ -45,6 +45,7 @@ class PairSet {
   /// All pairs, ascending. From any number of threads, while nothing else is called.
   std::span<const Pair> pairs() const;
 
+  /// Held. As pairs().
   std::size_t bytes() const;
 
  private:

@@ -118,18 +118,21 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
   most_listed_ = search_.is_worn_out() || parts_.finder ? 0 : costs_.most_listed(bodies_);
   was_full_ = kind == kFull;
   ++updates_[kind];
-  refresh_counters(statistics);
+  if (!is_of_few_ || 2 * pairs_ < counted_pairs_) count_bytes();
+  if (statistics.counters.empty()) list_counters(statistics);
   return found;
 }
 
 FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer) {
+  is_of_few_ = false;
   if (bodies_ == 0) return find_none(changes);
   if (fat_boxes_.have_slack()) overlaps_.loosen();
   if (uses_prepared_ && kind != kFull) return find_prepared(changes, kind, timer);
   FoundPairs found;
   bool goes_on = kind != kFull;
   if (goes_on && search_.has_cells() && overlaps_.choose_few(changes)) {
-    if (find_of_few(changes, timer, found)) return found;
+    is_of_few_ = find_of_few(changes, timer, found);
+    if (is_of_few_) return found;
     goes_on = false;
   }
   has_spare_ = true;
@@ -167,7 +170,7 @@ void Stream::forget_all() {
 // which is why it did not do so.
 void Stream::give_back_spare() {
   const bool is_quiet = has_spare_ && ++quiet_ > tuning::kQuietToGiveBack;
-  if ((is_quiet && bytes_ > tuning::kFewBytes) || bytes_ > most_bytes()) give_back();
+  if ((is_quiet && bytes_ > tuning::kFewBytes) || holds_too_much_) give_back();
 }
 
 // A list that moves to a smaller place asks for it. Where there is none the update goes on, and what is left
@@ -182,7 +185,15 @@ void Stream::give_back() {
     has_spare_ = false;
   } catch (const std::bad_alloc&) {
   }
+  count_bytes();
+}
+
+// An update of a few holds hardly more than the one before, and to sum it up reads two dozen lines of the
+// caches; but many pairs may have ended one by one.
+void Stream::count_bytes() {
+  counted_pairs_ = pairs_;
   bytes_ = bytes_held();
+  holds_too_much_ = bytes_ > most_bytes();
 }
 
 std::size_t Stream::most_bytes() const {
@@ -305,14 +316,16 @@ void Stream::note_idle(Statistics& statistics) {
   ++updates_[kIdle];
   was_full_ = false;
   statistics.phases.clear();
-  if (statistics.counters.empty()) return refresh_counters(statistics);
-  statistics.bytes += bytes_;
-  statistics.counters[kIdle].value = updates_[kIdle];
+  if (statistics.counters.empty()) list_counters(statistics);
 }
 
-void Stream::refresh_counters(Statistics& statistics) {
-  bytes_ = bytes_held();
-  statistics.bytes += bytes_;
+void Stream::count(Statistics& statistics) const {
+  list_counters(statistics);
+  statistics.bytes += bytes_held();
+}
+
+// Asks for memory in the first update alone.
+void Stream::list_counters(Statistics& statistics) const {
   statistics.work = {changed_, search_.tests() + overlaps_.tests()};
   statistics.counters.assign({{"full updates", updates_[kFull]},
                               {"partial updates", updates_[kPartial]},

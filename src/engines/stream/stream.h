@@ -44,6 +44,7 @@ class Stream final : public Engine, public HasFinder {
 
   Capacity capacity() const override;
   Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) override;
+  [[gnu::cold]] void count(Statistics& statistics) const override;
   /// A look inside; `boxes` are those of the last update, by slot.
   StreamView view(std::span<const Aabb> boxes) const;
   const PieceFinder* finder() const override { return parts_.finder.get(); }
@@ -71,13 +72,14 @@ class Stream final : public Engine, public HasFinder {
   [[gnu::cold]] void forget_all();
   std::size_t bytes_held() const { return fat_boxes_.bytes() + search_.bytes() + overlaps_.bytes(); }
   std::size_t most_bytes() const;
+  [[gnu::cold]] void count_bytes();
+  [[gnu::cold]] void list_counters(Statistics& statistics) const;
   void note_full();
   void note_fat_boxes(const BodyChanges& changes, const FatBoxWork& work);
   FatBoxWork work_of(Kind kind) const;
   [[gnu::noinline]] bool refit(const BodyChanges& changes);
   [[gnu::noinline]] void note_slack(const BodyChanges& changes);
   void note_idle(Statistics& statistics);
-  [[gnu::cold]] void refresh_counters(Statistics& statistics);
 
   StreamParts parts_;
   Crew& crew_;
@@ -97,9 +99,12 @@ class Stream final : public Engine, public HasFinder {
   std::size_t most_listed_ = 0;  // changes of fat boxes that the next update looks at one by one
   std::array<std::uint64_t, kKinds> updates_{};
   std::uint64_t changed_ = 0;
-  std::size_t bytes_ = 0;
-  bool has_spare_ = false;   // memory that is of no use while few bodies move
-  std::uint32_t quiet_ = 0;  // updates since it was used
+  std::size_t bytes_ = 0;          // bytes_held(), as counted last
+  std::size_t counted_pairs_ = 0;  // pairs_ then
+  bool holds_too_much_ = false;    // more than most_bytes() then
+  bool is_of_few_ = false;         // this update looked at the bodies that changed alone
+  bool has_spare_ = false;         // memory that is of no use while few bodies move
+  std::uint32_t quiet_ = 0;        // updates since it was used
 };
 
 }  // namespace cellsweep::stream

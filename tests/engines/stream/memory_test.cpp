@@ -44,6 +44,7 @@ class EngineMemory : public testing::TestWithParam<unsigned> {
     began_ = found->began.size();
     for (const auto part : found->more_began) began_ += part.size();
     bodies_.commit();
+    engine_.count(statistics_);
   }
 
   std::shared_ptr<Crew> crew_ =
@@ -117,6 +118,28 @@ TEST_P(EngineMemory, GoesBackOneUpdateAfterThatInWhichManyPairsEnded) {
   EXPECT_EQ(began_ + ended_, 0U);
   remove_all();
   EXPECT_EQ(ended_, 1U);
+}
+
+// Each in an update that looks at it alone and does not sum up what is held.
+TEST_P(EngineMemory, GoesBackWhereBodiesWithManyPairsGoOneByOne) {
+  constexpr BodyId kLarge = 1200;
+  constexpr BodyId kSmall = 200;
+  std::vector<Aabb> boxes(kLarge, Aabb{{-1, -1, -1}, {300, 300, 2}});
+  for (const Aabb& box : rows_of(kSmall)) boxes.push_back(box);
+  insert(boxes);
+  std::size_t pairs = began_;
+  ASSERT_EQ(pairs, kLarge * kSmall + kLarge * (kLarge - 1) / 2);
+  const auto updates_of_all = [&] { return statistics_.counters[0].value; };
+  const std::uint64_t made = updates_of_all();
+  for (BodyId body = 0; body < kLarge; ++body) {
+    ASSERT_TRUE(bodies_.remove({{body}}).ok());
+    update();
+    pairs -= ended_;
+  }
+  EXPECT_EQ(pairs, 0U);
+  EXPECT_EQ(updates_of_all(), made);
+  update();
+  EXPECT_LE(statistics_.bytes, tuning::kFewBytes * (2 + GetParam()) + tuning::kBytesOfBody * kSmall);
 }
 
 // Two sets of cells and what makes them are held while all bodies move. A world at rest needs one; it is not
