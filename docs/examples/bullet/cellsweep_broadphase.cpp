@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "fat_box.h"
-#include "prefetch.h"
 #include "proxy_box.h"
 #include "ray_path.h"
 
@@ -77,17 +76,16 @@ void CellsweepBroadphase::destroyProxy(btBroadphaseProxy* base, btDispatcher* di
 // came.
 void CellsweepBroadphase::setAabb(btBroadphaseProxy* base, const btVector3& aabb_min,
                                   const btVector3& aabb_max, btDispatcher*) {
-  constexpr std::size_t kAhead = 32;
   auto& proxy = static_cast<Proxy&>(*base);
-  const BodyId id = proxy.id();
-  if (id + kAhead < proxies_.size()) prefetch(proxies_[id + kAhead]);
-  if (is_same(proxy.m_aabbMin, aabb_min) && is_same(proxy.m_aabbMax, aabb_max)) return;
+  ProxyPool::prefetch_behind(proxy);
+  if (margin_ == 0 && is_same(proxy.m_aabbMin, aabb_min) && is_same(proxy.m_aabbMax, aabb_max)) return;
   proxy.m_aabbMin = aabb_min;
   proxy.m_aabbMax = aabb_max;
+  const BodyId id = proxy.id();
+  if (margin_ > 0 && holds(told_[id], aabb_min, aabb_max)) return;
   Body& body = bodies_[id];
   if (!body.is_told) return;
   if (margin_ == 0) return moved_.put(id, box_of(aabb_min, aabb_max), body.place);
-  if (!moved_.has(id, body.place) && holds(told_[id], aabb_min, aabb_max)) return;
   told_[id] = fat_box_of(aabb_min, aabb_max, margin_);
   moved_.put(id, told_[id], body.place);
 }
@@ -262,7 +260,12 @@ Status CellsweepBroadphase::tell_created() {
 Status CellsweepBroadphase::tell_moved() {
   if (moved_.ids().empty()) return {};
   Status status = broadphase_.move(moved_.ids(), moved_.boxes());
-  if (status.ok()) moved_.clear();
+  if (status.ok()) {
+    moved_.clear();
+  } else if (margin_ > 0) {
+    // A fat box without an end would hold whatever comes next.
+    for (const BodyId id : moved_.ids()) told_[id] = kHoldsNothing;
+  }
   return status;
 }
 

@@ -5,7 +5,16 @@
 #include <LinearMath/btVector3.h>
 #include <cellsweep/aabb.h>
 
+#include <limits>
+
 #include "proxy_box.h"
+
+/// No box is within NaN.
+inline constexpr cellsweep::Aabb kHoldsNothing = [] {
+  cellsweep::Aabb box;
+  box.min.fill(std::numeric_limits<float>::quiet_NaN());
+  return box;
+}();
 
 inline cellsweep::Aabb fat_box_of(const btVector3& low, const btVector3& high, btScalar margin) {
   const btVector3 more(margin, margin, margin);
