@@ -36,6 +36,8 @@ class Rebuild {
 
   /// Whether some of it is prepared, or room for it held.
   bool is_under_way() const { return holds_memory_; }
+  /// So were those that are in use: they lasted until then.
+  bool goes_on() const { return holds_memory_ && were_prepared_; }
 
   /// An update used what was prepared.
   [[gnu::cold]] void note_used(std::size_t bodies);
@@ -64,6 +66,7 @@ class Rebuild {
   Watch watch_;
   RebuildStage stage_ = kNothing;
   RebuildShares shares_;
+  bool were_prepared_ = false;  // the fat boxes that are in use
   bool holds_memory_ = false;
   bool may_begin_ = false;        // the next one, when most fat boxes are going to be left
   double fat_done_ = 0;           // the share of the next fat boxes that are made

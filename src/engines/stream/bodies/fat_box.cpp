@@ -34,16 +34,18 @@ Float4 where_near(Float4 step, Float4 edge, Float4 values) {
 }
 
 /// How far a face may be carried by a body that keeps its course, with its sign.
-Float4 carried(Float4 step, Float4 edge, float updates) {
-  const Float4 most = edge * tuning::kMostGrowth;
+Float4 carried(Float4 step, Float4 edge, float updates, float most_lengths) {
+  const Float4 most = edge * most_lengths;
   return smaller(larger(step * updates, -most), most);
 }
 
-/// How far a fat box reaches that way, at least so many lengths: that of a slow body is to last for long.
-Float4 growth(Float4 step, Float4 edge, float updates, float least_lengths) {
+/// How far a fat box reaches that way, at least a part of the length: that of a slow body is to last for
+/// long.
+template <class AnyOutlook>
+Float4 growth(Float4 step, Float4 edge, const AnyOutlook& outlook) {
   const Float4 none = splat(0);
-  const Float4 least = edge * least_lengths;
-  const Float4 far = carried(step, edge, updates);
+  const Float4 least = edge * outlook.least;
+  const Float4 far = carried(step, edge, outlook.updates, outlook.most);
   return step > none ? larger(far, least) : step < none ? smaller(far, -least) : none;
 }
 
@@ -86,20 +88,18 @@ struct Motion {
 
 Aabb fat_box_of(const Aabb& old, const Aabb& now_box, const Outlook& outlook) {
   const auto [now, edge, low_step, high_step] = Motion(old, now_box);
-  const Float4 low =
-      smaller(where_near(low_step, edge, growth(low_step, edge, outlook.updates, outlook.least)),
-              -to_either_side(low_step, edge, outlook));
-  const Float4 high =
-      larger(where_near(high_step, edge, growth(high_step, edge, outlook.updates, outlook.least)),
-             to_either_side(high_step, edge, outlook));
+  const Float4 low = smaller(where_near(low_step, edge, growth(low_step, edge, outlook)),
+                             -to_either_side(low_step, edge, outlook));
+  const Float4 high = larger(where_near(high_step, edge, growth(high_step, edge, outlook)),
+                             to_either_side(high_step, edge, outlook));
   return box_of(within_numbers(smaller(now.min + low, now.min)),
                 within_numbers(larger(now.max + high, now.max)));
 }
 
-Aabb course_of(const Aabb& old, const Aabb& now_box, float updates) {
+Aabb course_of(const Aabb& old, const Aabb& now_box, float updates, float most) {
   const auto [now, edge, low_step, high_step] = Motion(old, now_box);
-  const Float4 low = where_near(low_step, edge, carried(low_step, edge, updates));
-  const Float4 high = where_near(high_step, edge, carried(high_step, edge, updates));
+  const Float4 low = where_near(low_step, edge, carried(low_step, edge, updates, most));
+  const Float4 high = where_near(high_step, edge, carried(high_step, edge, updates, most));
   return box_of(within_numbers(smaller(now.min + low, now.min)),
                 within_numbers(larger(now.max + high, now.max)));
 }
@@ -107,14 +107,22 @@ Aabb course_of(const Aabb& old, const Aabb& now_box, float updates) {
 // The faces of a box that shrinks may be carried beyond each other.
 Aabb later_fat_box_of(const Aabb& old, const Aabb& now_box, const LaterOutlook& outlook) {
   const auto [now, edge, low_step, high_step] = Motion(old, now_box);
-  const Float4 low =
-      low_step * outlook.from + smaller(growth(low_step, edge, outlook.updates, outlook.least), splat(0));
-  const Float4 high =
-      high_step * outlook.from + larger(growth(high_step, edge, outlook.updates, outlook.least), splat(0));
+  const Float4 low = low_step * outlook.from + smaller(growth(low_step, edge, outlook), splat(0));
+  const Float4 high = high_step * outlook.from + larger(growth(high_step, edge, outlook), splat(0));
   const Float4 slack = larger(within_numbers(edge * tuning::kSlackOfLater), splat(outlook.margin));
   const Float4 one = within_numbers(now.min + where_near(low_step, edge, low) - slack);
   const Float4 other = within_numbers(now.max + where_near(high_step, edge, high) + slack);
   return box_of(smaller(one, other), larger(one, other));
+}
+
+bool may_have_kept_course(const Aabb& fat, const Aabb& old, const Aabb& now_box, unsigned updates) {
+  const auto [now, edge, low_step, high_step] = Motion(old, now_box);
+  const BoxLanes around(fat);
+  const Float4 room = around.max - around.min - edge;
+  const Float4 step = larger(absolute(low_step), absolute(high_step));
+  const auto most = step * static_cast<float>(updates - 1) > room;
+  const auto least = step * static_cast<float>(updates) > room * tuning::kRoomOnCourse;
+  return (most[0] | most[1] | most[2]) == 0 && (least[0] | least[1] | least[2]) != 0;
 }
 
 float step_in_lengths(const Aabb& old, const Aabb& now_box) {

@@ -145,7 +145,7 @@ void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
 }
 
 void FatBoxes::prepare(Crew& crew, const BodyChanges& changes, Share places, float from, float updates) {
-  const LaterOutlook outlook{from, updates, margin_, growth_.least};
+  const LaterOutlook outlook{from, updates, growth_.most, margin_, growth_.least};
   crew.run([&](unsigned worker) {
     const Share share = Share::of(places.last - places.first, worker, crew.active());
     for (std::size_t i = places.first + share.first; i < places.first + share.last; ++i) {
@@ -163,7 +163,7 @@ bool FatBoxes::are_being_left(const BodyChanges& changes, float updates) const {
   std::size_t left = 0;
   for (std::size_t i = 0; i < changes.moved.size(); i += step) {
     const Slot slot = changes.moved[i];
-    const Aabb course = course_of(changes.before[slot], changes.boxes[slot], updates);
+    const Aabb course = course_of(changes.before[slot], changes.boxes[slot], updates, growth_.most);
     left += encloses(BoxLanes(fat_[slot]), BoxLanes(course)) ? 0 : 1;
     ++looks;
   }
@@ -205,10 +205,14 @@ FatBoxes::Course FatBoxes::course_of_long_ago() const {
 Aabb FatBoxes::grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates) {
   Course& course = courses_[slot];
   const unsigned age = (updates_ - course.made) % kCourseUpdates;
-  if (escaped && (course.trembles || age <= tuning::kEarly)) judge(course, age, step_in_lengths(before, now));
+  if (escaped && (course.trembles || age <= tuning::kEarly)) {
+    judge(course, age, step_in_lengths(before, now));
+    if (age > tuning::kEarly && may_have_kept_course(fat_[slot], before, now, age)) course.trembles = false;
+  }
   course.made = updates_ % kCourseUpdates;
   if (!course.trembles)
-    return fat_box_of(before, now, {.updates = updates, .margin = margin_, .least = growth_.least});
+    return fat_box_of(before, now,
+                      {.updates = updates, .most = growth_.most, .margin = margin_, .least = growth_.least});
   return fat_box_of(
       before, now,
       {.updates = growth_.updates, .may_turn = true, .margin = margin_, .reach = reach_of(course.halvings)});

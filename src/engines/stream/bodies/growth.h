@@ -7,6 +7,8 @@
 namespace cellsweep::stream {
 
 struct Growth {
+  /// The way a body goes at most, in lengths of its box.
+  float most = tuning::kMostGrowth;
   /// The way a body goes at least, in lengths of its box.
   float least = tuning::kLeastGrowth;
   /// To either side by one that trembles: so many times its last step,

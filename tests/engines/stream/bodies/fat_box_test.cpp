@@ -65,12 +65,22 @@ TEST(FatBox, GrowsByHalfItsLengthAtMost) {
   EXPECT_EQ(fat_box_of(kUnit, unit_at(-1), {8}), (Aabb{{-1.5F, 0, 0}, {0, 1, 1}}));
 }
 
-TEST(Course, IsTheWayOfABodyAsFarAsAFatBoxFollowsIt) {
+// Three steps of an eighth to the edge of a fat box that has room for them.
+TEST(FatBox, MayHaveBeenLeftOnACourseInAsManyUpdatesAsTheStepsTake) {
+  const Aabb fat = {{0, 0, 0}, {1.375F, 1, 1}};
+  EXPECT_TRUE(may_have_kept_course(fat, unit_at(0.375F), unit_at(0.5F), 4));
+  EXPECT_FALSE(may_have_kept_course(fat, unit_at(0.375F), unit_at(0.5F), 5));
+  EXPECT_FALSE(may_have_kept_course(fat, unit_at(0.375F), unit_at(0.5F), 1)) << "it began elsewhere";
+  const Aabb to_the_side = {{0.5F, 0.125F, 0}, {1.5F, 1.125F, 1}};
+  EXPECT_FALSE(may_have_kept_course(fat, unit_at(0.375F), to_the_side, 4)) << "there was no room";
+}
+
+TEST(Course, IsTheWayOfABodyButNotTooFar) {
   constexpr float kStep = 1.0F / 4096;
-  EXPECT_EQ(course_of(kUnit, kUnit, 8), kUnit);
-  EXPECT_EQ(course_of(kUnit, unit_at(kStep), 8), (Aabb{{kStep, 0, 0}, {1 + 9 * kStep, 1, 1}}));
-  EXPECT_EQ(course_of(kUnit, unit_at(-0.25F), 8), (Aabb{{-0.75F, 0, 0}, {0.75F, 1, 1}}));
-  EXPECT_EQ(course_of(kUnit, unit_at(1.5F), 8), unit_at(1.5F));
+  EXPECT_EQ(course_of(kUnit, kUnit, 8, 0.5F), kUnit);
+  EXPECT_EQ(course_of(kUnit, unit_at(kStep), 8, 0.5F), (Aabb{{kStep, 0, 0}, {1 + 9 * kStep, 1, 1}}));
+  EXPECT_EQ(course_of(kUnit, unit_at(-0.25F), 8, 0.5F), (Aabb{{-0.75F, 0, 0}, {0.75F, 1, 1}}));
+  EXPECT_EQ(course_of(kUnit, unit_at(1.5F), 8, 0.5F), unit_at(1.5F));
 }
 
 TEST(FatBox, OfABodyThatJumpsFurtherThanItsLengthIsItsBox) {
@@ -147,7 +157,8 @@ TEST(FatBox, StaysWithinTheNumbersThereAre) {
   for (const Aabb& old : {all, corner, half, other_half, kUnit}) {
     for (const Aabb& now : {all, corner, half, other_half, kUnit}) {
       for (const float margin : {0.0F, 1.0F, 1e30F}) {
-        const Aabb fat = fat_box_of(old, now, {12, true, margin, 0.125F});
+        const Aabb fat =
+            fat_box_of(old, now, {.updates = 12, .may_turn = true, .margin = margin, .least = 0.125F});
         EXPECT_TRUE(surrounds(fat, now));
         EXPECT_TRUE(surrounds(all, fat));
         const Aabb later = later_fat_box_of(old, now, {.from = 7, .updates = 12, .margin = margin});
