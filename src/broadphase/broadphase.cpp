@@ -107,7 +107,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   std::span<const Pair> pairs() const {
     return pairs_.pairs();
   }
-  const Statistics& statistics() const {
+  [[gnu::cold]] const Statistics& statistics() const {
     counting_.finish([&] { count(); });
     return statistics_;
   }

@@ -68,7 +68,7 @@ class Bodies {
 
   const IdTable& table() const { return table_; }
   std::size_t size() const { return table_.size(); }
-  std::size_t bytes() const;
+  [[gnu::cold]] std::size_t bytes() const;
 
  private:
   Status insert_all(Crew& crew, std::span<const BodyId> ids, std::span<const Aabb> boxes,

@@ -94,7 +94,7 @@ class IdTable {
   std::uint64_t version() const { return version_; }
 
   /// Bytes held, nearly.
-  std::size_t bytes() const;
+  [[gnu::cold]] std::size_t bytes() const;
 
  private:
   void reserve_for(std::span<const BodyId> ids);

@@ -77,7 +77,7 @@ class StagedBoxes {
   /// Slots are numbered anew: each gets what slot `before[slot]` had. Nothing may wait for an update.
   void renumber(std::span<const Slot> before);
 
-  std::size_t bytes() const;
+  [[gnu::cold]] std::size_t bytes() const;
 
  private:
   void reserve_next(std::size_t more);

@@ -46,7 +46,7 @@ class PairSet {
   std::span<const Pair> pairs() const;
 
   /// Held. As pairs().
-  std::size_t bytes() const;
+  [[gnu::cold]] std::size_t bytes() const;
 
  private:
   [[gnu::cold]] void give_back_room(std::size_t enough);

@@ -71,7 +71,7 @@ class Stream final : public Engine, public HasFinder {
   [[gnu::cold]] void give_back();
   [[gnu::cold]] void forget_all();
   std::size_t bytes_held() const { return fat_boxes_.bytes() + search_.bytes() + overlaps_.bytes(); }
-  std::size_t most_bytes() const;
+  [[gnu::cold]] std::size_t most_bytes() const;
   [[gnu::cold]] void count_bytes();
   [[gnu::cold]] void list_counters(Statistics& statistics) const;
   void note_full();

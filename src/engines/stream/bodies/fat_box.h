@@ -40,7 +40,7 @@ Aabb later_fat_box_of(const Aabb& old, const Aabb& now, const LaterOutlook& outl
 
 /// Whether a body may have left its fat box on a straight way with steps like the last one, in so many
 /// updates: one that goes to and fro takes longer.
-bool may_have_kept_course(const Aabb& fat, const Aabb& old, const Aabb& now, unsigned updates);
+[[gnu::cold]] bool may_have_kept_course(const Aabb& fat, const Aabb& old, const Aabb& now, unsigned updates);
 
 /// How far a box moved, in its own lengths, on the axis where that is most.
 float step_in_lengths(const Aabb& old, const Aabb& now);

@@ -87,7 +87,7 @@ class FatBoxes {
   /// std::bad_alloc.
   const Aabb* by_slot(std::span<const Aabb> boxes);
 
-  std::size_t bytes() const;
+  [[gnu::cold]] std::size_t bytes() const;
 
  private:
   static constexpr unsigned kCourseUpdates = 128;
@@ -104,7 +104,7 @@ class FatBoxes {
   [[gnu::cold]] void lay_by_slot(List<Aabb> boxes);
   void add_moved(const BodyChanges& changes);
   Aabb grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates);
-  void judge(Course& course, unsigned age, float step) const;
+  [[gnu::cold]] void judge(Course& course, unsigned age, float step) const;
   static float reach_of(int halvings);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
   void begin_update(const BodyChanges& changes);

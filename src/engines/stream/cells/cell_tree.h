@@ -149,7 +149,7 @@ class CellTree {
   /// Comparisons of two boxes so far.
   std::uint64_t tests() const;
   /// Bytes held.
-  std::size_t bytes() const;
+  [[gnu::cold]] std::size_t bytes() const;
 
  private:
   void reset(std::size_t boxes);

@@ -84,7 +84,7 @@ class Overlaps {
   std::size_t candidates() const { return list_.size(); }
   /// Comparisons of two boxes so far.
   std::uint64_t tests() const { return tests_; }
-  std::size_t bytes() const;
+  [[gnu::cold]] std::size_t bytes() const;
 
  private:
   /// What the marks say of the update before.

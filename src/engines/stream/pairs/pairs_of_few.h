@@ -38,7 +38,7 @@ class PairsOfFew {
   /// What differs. Valid until the next call.
   SlotPairChanges changes(Crew& crew);
 
-  std::size_t bytes() const;
+  [[gnu::cold]] std::size_t bytes() const;
 
  private:
   void find_candidates(CellTree& cells, Slot slot, const Aabb& fat_box);
