@@ -127,19 +127,18 @@ std::span<Key> sort_range(std::span<Key> keys, std::span<Key> spare, Key least, 
   return sort_by_digits(sorted, sorted.data() == keys.data() ? spare : keys, all);
 }
 
-/// True, and they are sorted, when they are few.
-bool sort_few(std::span<Key> keys) {
+}  // namespace
+
+bool sort_few_keys(std::span<Key> keys) {
   return keys.size() <= tuning::kFewKeys && sort_by_insertion(keys, tuning::kFewKeys * tuning::kFewKeys);
 }
 
-}  // namespace
-
 std::span<Key> sort_keys(std::span<Key> keys, std::span<Key> spare, KeyBits bits) {
-  return sort_few(keys) ? keys : sort_range(keys, spare, 0, bits);
+  return sort_few_keys(keys) ? keys : sort_range(keys, spare, 0, bits);
 }
 
 std::span<Key> sort_keys(std::span<Key> keys, std::span<Key> spare) {
-  if (sort_few(keys)) return keys;
+  if (sort_few_keys(keys)) return keys;
   Key least = keys[0];
   Key greatest = keys[0];
   for (const Key key : keys) {

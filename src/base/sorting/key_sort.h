@@ -27,6 +27,9 @@ std::span<std::uint64_t> sort_keys(std::span<std::uint64_t> keys, std::span<std:
 /// The same in place. Throws std::bad_alloc and has done nothing then.
 void sort_keys(std::span<std::uint64_t> keys);
 
+/// The same by insertion where they are few. False, and nothing has changed, where they are not.
+bool sort_few_keys(std::span<std::uint64_t> keys);
+
 /// A few ids or slots, ascending, in place: std::sort, compiled once.
 void sort_numbers(std::span<std::uint32_t> numbers);
 

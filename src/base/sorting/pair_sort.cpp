@@ -169,19 +169,15 @@ Ranges gather(KeyParts parts, std::span<Key> keys) {
   return ranges;
 }
 
-/// By insertion. After an update in which hardly anybody moved that is all there is to sort, and the rest of
-/// this file is not in the caches.
+/// At most kFewKeys. After an update in which hardly anybody moved that is all there is to sort, and the rest
+/// of this file is not in the caches.
 void sort_few(KeyParts parts, std::uint32_t* numbers) {
   std::array<Key, tuning::kFewKeys> keys;  // NOLINT(*-member-init): written before it is read
-  std::size_t count = 0;
-  for (const std::span<const Key> part : parts) {
-    for (const Key key : part) {
-      std::size_t place = count++;
-      for (; place > 0 && keys[place - 1] > key; --place) keys[place] = keys[place - 1];
-      keys[place] = key;
-    }
-  }
-  for (const Key key : std::span(keys).first(count)) {
+  Key* end = keys.data();
+  for (const std::span<const Key> part : parts) end = std::copy(part.begin(), part.end(), end);
+  const std::span<Key> few(keys.data(), end);
+  sort_few_keys(few);
+  for (const Key key : few) {
     *numbers++ = static_cast<std::uint32_t>(key >> 32);
     *numbers++ = static_cast<std::uint32_t>(key);
   }
