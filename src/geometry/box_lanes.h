@@ -51,14 +51,42 @@ inline Int4 cells_of(Float4 coordinates, Float4 origin, Float4 scale, Float4 top
   return __builtin_convertvector(cells, Int4);
 }
 
+/// The numbers of a box as they lie in memory: the first four and the last four.
+struct BoxNumbers {
+  Float4 first_four;
+  Float4 last_four;
+
+  explicit BoxNumbers(const Aabb& box) : first_four(load4(box, 0)), last_four(load4(box, 2)) {}
+
+  /// The same of a box that the caller has only just written, perhaps number by number. A load that lies in
+  /// one store gets its number from there; one that spans several waits until all of them are in the cache,
+  /// and with it everything that depends on it: 15 ns of the 70 that a ray takes (Xeon, rays in `clustered`).
+  static BoxNumbers just_written(const Aabb& box) { return BoxNumbers(box.min.data(), box.max.data()); }
+
+ private:
+#ifdef __SSE2__
+  BoxNumbers(const float* min, const float* max) {
+    const auto two = [](const float& low, const float& high) {
+      return _mm_unpacklo_ps(_mm_load_ss(&low), _mm_load_ss(&high));
+    };
+    const __m128 middle = two(min[2], max[0]);
+    first_four = reinterpret_cast<Float4>(_mm_movelh_ps(two(min[0], min[1]), middle));
+    last_four = reinterpret_cast<Float4>(_mm_movelh_ps(middle, two(max[1], max[2])));
+  }
+#else
+  BoxNumbers(const float* min, const float* max)
+      : first_four{min[0], min[1], min[2], max[0]}, last_four{min[2], max[0], max[1], max[2]} {}
+#endif
+};
+
 /// Lanes 0 to 2 are the axes; what lane 3 holds must not matter.
 struct BoxLanes {
   Float4 min;
   Float4 max;
 
-  explicit BoxLanes(const Aabb& box) : min(load4(box, 0)), max(load4(box, 2)) {
-    max = __builtin_shufflevector(max, max, 1, 2, 3, 0);
-  }
+  explicit BoxLanes(const Aabb& box) : BoxLanes(BoxNumbers(box)) {}
+  explicit BoxLanes(const BoxNumbers& box)
+      : min(box.first_four), max(__builtin_shufflevector(box.last_four, box.last_four, 1, 2, 3, 0)) {}
 };
 
 /// True when a comparison holds on all three axes.

@@ -26,7 +26,7 @@ inline bool is_direction(const std::array<double, 3>& direction) {
 }
 
 inline bool is_good(const Aabb& box) {
-  return on_all_axes(valid_lanes(BoxLanes(box)));
+  return on_all_axes(valid_lanes(BoxLanes(BoxNumbers::just_written(box))));
 }
 inline bool is_good(const Region& region) {
   return is_good(region.box) && region.distance >= 0;

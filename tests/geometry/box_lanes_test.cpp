@@ -66,6 +66,15 @@ TEST(BoxLanes, HoldTheAxesInTheirFirstThree) {
   }
 }
 
+TEST(BoxNumbers, AreTheFirstAndTheLastFourHoweverTheyAreRead) {
+  for (const BoxNumbers& numbers : {BoxNumbers(kBox), BoxNumbers::just_written(kBox)}) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(numbers.first_four[i], i < 3 ? kBox.min[i] : kBox.max[0]) << i;
+      EXPECT_EQ(numbers.last_four[i], i < 1 ? kBox.min[2] : kBox.max[i - 1]) << i;
+    }
+  }
+}
+
 TEST(BoxLanes, SayOfEveryTwoBoxesWhatALoopOverTheAxesSays) {
   const std::vector<Aabb> boxes = many_boxes();
   for (const Aabb& one : boxes) {

@@ -32,8 +32,9 @@ class PathNumbers {
     numbers_.is_flat = on_any_axis(flat) || largest < kAllHaveInverses;
     // A branch: else all divisions would wait for what is flat.
     if (numbers_.is_flat) direction = reinterpret_cast<Float4>(reinterpret_cast<Int4>(direction) & ~flat);
-    set_axes(BoxLanes(path.box), direction);
-    if (numbers_.is_flat) set_flat(path, flat);
+    const BoxLanes box(BoxNumbers::just_written(path.box));
+    set_axes(box, direction);
+    if (numbers_.is_flat) set_flat(path, box, flat);
     end(path.end);
     numbers_.certain_end = below(std::min(path.end * scale.factor, kFarthest));
   }
@@ -94,9 +95,8 @@ class PathNumbers {
     store4(1.0F / direction, numbers_.inverse);
   }
 
-  void set_flat(const Path& path, Int4 flat) {
+  void set_flat(const Path& path, const BoxLanes& box, Int4 flat) {
     const Float4 infinite = Float4{} + kInfinity;
-    const BoxLanes box(path.box);
     store4(flat ? infinite : Float4{}, numbers_.wide);
     store4(flat ? canonical(box.min) : -infinite, numbers_.low);
     store4(flat ? canonical(box.max) : infinite, numbers_.high);
