@@ -25,7 +25,8 @@ namespace cellsweep {
 /// Admission, engine and pairs. Everything that can fail happens before anything shows.
 class [[gnu::visibility("hidden")]] Broadphase::Impl {
  public:
-  [[gnu::cold]] Impl(HandleParts parts, std::unique_ptr<Engine> engine, std::shared_ptr<Timeline> timeline)
+  [[gnu::cold, gnu::noinline]] Impl(HandleParts parts, std::unique_ptr<Engine> engine,
+                                    std::shared_ptr<Timeline> timeline)
       : parts_(std::move(parts)),
         timeline_(std::move(timeline)),
         engine_(std::move(engine)),

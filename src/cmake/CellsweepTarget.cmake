@@ -28,9 +28,20 @@ function(cellsweep_library target)
   # What GCC marks as the only one of its name in a process (statics of the standard library's templates) would keep a
   # plugin that the library is linked into from being unloaded.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+  cellsweep_fill_small_objects_by_stores(${target})
   get_target_property(type ${target} TYPE)
   if(type STREQUAL "SHARED_LIBRARY")
     cellsweep_show_only_the_face(${target})
+  endif()
+endfunction()
+
+# cellsweep_fill_small_objects_by_stores(TARGET): for x86, GCC fills and copies objects of more than some ninety bytes by
+# one instruction that takes some thirty cycles before it begins, and a Status has 120: a tenth of what it takes to ask
+# which bodies a point is in.
+function(cellsweep_fill_small_objects_by_stores target)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+    set(strategy vector_loop:128:noalign,rep_8byte:8192:noalign,libcall:-1:noalign)
+    target_compile_options(${target} PRIVATE -mmemset-strategy=${strategy} -mmemcpy-strategy=${strategy})
   endif()
 endfunction()
 
