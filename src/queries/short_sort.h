@@ -17,10 +17,20 @@ struct Nearer {
   }
 };
 
+/// By time, and of the same by body.
+struct Sooner {
+  bool operator()(const Touch& one, const Touch& other) const {
+    return one.time != other.time ? one.time < other.time : one.body < other.body;
+  }
+};
+
 /// Ascending; no two of them are the same.
 void sort_ids(const QueryKernels& kernels, std::span<BodyId> ids);
 
 /// Nearer ones first.
 void sort_neighbors(std::span<Neighbor> neighbors);
+
+/// Sooner ones first; some may be the same.
+void sort_touches(std::span<Touch> touches);
 
 }  // namespace cellsweep::queries

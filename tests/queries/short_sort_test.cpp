@@ -62,5 +62,21 @@ TEST(ShortSortOfNeighbors, SortsThemWhenManyAreAsFar) {
   }
 }
 
+// Where there is no tree a path finds a body in each of its cells.
+TEST(ShortSortOfTouches, SortsThemWhenManyAreTheSame) {
+  for (std::size_t count = 0; count <= 70; ++count) {
+    for (const std::uint64_t kinds : {1, 2, 7, 1'000'000}) {
+      Random random(count * kinds);
+      std::vector<Touch> touches(count);
+      for (Touch& touch : touches)
+        touch = {static_cast<BodyId>(random.bits() % kinds), static_cast<double>(random.bits() % kinds)};
+      std::vector<Touch> expected = touches;
+      std::ranges::sort(expected, Sooner());
+      sort_touches(touches);
+      EXPECT_EQ(touches, expected) << count << " of " << kinds;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cellsweep::queries
