@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -23,6 +24,16 @@ using contract::Random;
 
 /// Of coordinates so large that gaps between them are no floats.
 constexpr float kFar = 3.5e37F;
+
+/// Directions are scaled in one way or in another one by how long they are.
+constexpr double kLengths[] = {0x1p-40, 0x1p-17, 0x1p-16, 0x1p-15, 1, 0x1p15, 0x1p16, 0x1p17, 0x1p40};
+
+// Unless it would be beyond floats.
+void make_longer(std::array<double, 3>& direction, double length) {
+  const auto fits = [&](double d) { return std::fabs(d * length) <= std::numeric_limits<float>::max(); };
+  if (!std::ranges::all_of(direction, fits)) return;
+  for (double& d : direction) d *= length;
+}
 
 Aabb box_near_0(Random& random) {
   Aabb box;
@@ -64,6 +75,7 @@ Path path_past(Random& random, const Aabb& box) {
   }
   if (random.one_in(3)) come_at_once(path, box, random.unit() + 2);
   if (path.direction == std::array<double, 3>{}) path.direction[0] = 1;
+  if (random.one_in(2)) make_longer(path.direction, kLengths[random.below(std::size(kLengths))]);
   return path;
 }
 
@@ -122,8 +134,11 @@ void expect_touch(VectorIsa isa, const Path& path, const Aabb& box) {
 
 // The gap on the first axis is no float, though when the path comes to the box would be one.
 TEST_P(Grazing, GapsMayBeLargerThanFloats) {
-  expect_touch(GetParam(), Ray{{-3e38F, -2e38F, 0}, {1.96, 1, 0}},
-               {{1e38F, -1e37F, -1}, {1.1e38F, 5e37F, 1}});
+  for (const double length : kLengths) {
+    Ray ray{{-3e38F, -2e38F, 0}, {1.96, 1, 0}};
+    make_longer(ray.direction, length);
+    expect_touch(GetParam(), ray, {{1e38F, -1e37F, -1}, {1.1e38F, 5e37F, 1}});
+  }
 }
 
 // It comes to the box and leaves it on all axes after more time than a double counts: at infinity, where it

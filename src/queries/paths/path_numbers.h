@@ -22,21 +22,20 @@ class PathNumbers {
  public:
   explicit PathNumbers(const Path& path) {
     const double largest = largest_component(path);
-    const Scale scale(largest);
-    scale_above_ = scale.factor * (1 + 0x1p-22);
-    const auto& [x, y, z] = path.direction;
-    Float4 direction = {static_cast<float>(x * scale.inverse), static_cast<float>(y * scale.inverse),
-                        static_cast<float>(z * scale.inverse), 1};
-    const Int4 flat = magnitude(direction) < kLeast;
+    Float4 direction = floats_of(path, 1);
+    float scale = kUsualScale;
+    // A branch: else everything would wait for the largest component.
+    if (largest < 1 / kUsualScale || largest > kUsualScale) scale = use_scale(path, largest, direction);
+    const Int4 flat = magnitude(direction) < kLeast * scale;
     numbers_.can_be_certain = true;
     numbers_.is_flat = on_any_axis(flat) || largest < kAllHaveInverses;
     // A branch: else all divisions would wait for what is flat.
     if (numbers_.is_flat) direction = reinterpret_cast<Float4>(reinterpret_cast<Int4>(direction) & ~flat);
     const BoxLanes box(BoxNumbers::just_written(path.box));
-    set_axes(box, direction);
+    set_axes(box, direction, scale);
     if (numbers_.is_flat) set_flat(path, box, flat);
     end(path.end);
-    numbers_.certain_end = below(std::min(path.end * scale.factor, kFarthest));
+    numbers_.certain_end = below(std::min(path.end * scale_, kFarthest));
   }
 
   const CastNumbers& numbers() const { return numbers_; }
@@ -49,11 +48,31 @@ class PathNumbers {
 
  private:
   static constexpr double kFarthest = 1e38;
+  static constexpr double kAbove = 1 + 0x1p-22;
   static constexpr float kInfinity = std::numeric_limits<float>::infinity();
   /// The least component of a scaled direction along which a path moves.
   static constexpr float kLeast = 0x1p-60F;
   /// Where the largest component is no less, another one that has no inverse is scaled to less than kLeast.
   static constexpr double kAllHaveInverses = 0x1p-400;
+
+  /// Directions between this and its inverse become times that are so many times as large without being
+  /// scaled themselves.
+  static constexpr float kUsualScale = 0x1p16F;
+
+  static Float4 floats_of(const Path& path, double scale) {
+    const auto& [x, y, z] = path.direction;
+    return Float4{static_cast<float>(x * scale), static_cast<float>(y * scale), static_cast<float>(z * scale),
+                  1};
+  }
+
+  // Of another direction. Returns by what the scaled one is to be divided once more.
+  [[gnu::cold, gnu::noinline]] float use_scale(const Path& path, double largest, Float4& direction) {
+    const Scale scale(largest);
+    scale_ = scale.factor;
+    scale_above_ = scale.factor * kAbove;
+    direction = floats_of(path, scale.inverse);
+    return 1;
+  }
 
   static double largest_component(const Path& path) {
     constexpr double kSmall = 0x1p-1000;
@@ -78,8 +97,9 @@ class PathNumbers {
     double inverse;
   };
 
+  // So that no component is more than 1: a gap that is infinite in floats is no nearer than the farthest end.
   // An axis that is flat counts as one along which it goes up, infinitely slowly.
-  void set_axes(const BoxLanes& box, Float4 direction) {
+  void set_axes(const BoxLanes& box, Float4 direction, float scale) {
     // Not a comparison, which compilers would follow by choices between numbers: these take more operations.
     const Int4 goes_down = reinterpret_cast<Int4>(direction) >> 31;
     const Int4 to_maxima = goes_down & 3;
@@ -90,9 +110,9 @@ class PathNumbers {
     store4(Int4{3, 4, 5, 5} - to_maxima, numbers_.far);
     store4(reinterpret_cast<Float4>(max ^ swap), numbers_.front);
     store4(reinterpret_cast<Float4>(min ^ swap), numbers_.back);
-    store4(kSmaller / direction, numbers_.sooner);
-    store4(kLarger / direction, numbers_.later);
-    store4(1.0F / direction, numbers_.inverse);
+    store4(kSmaller * scale / direction, numbers_.sooner);
+    store4(kLarger * scale / direction, numbers_.later);
+    store4(scale / direction, numbers_.inverse);
   }
 
   void set_flat(const Path& path, const BoxLanes& box, Int4 flat) {
@@ -130,7 +150,8 @@ class PathNumbers {
   }
 
   // Times in lengths of the scaled direction are so many times as large, or hardly less.
-  double scale_above_ = 1;
+  double scale_ = kUsualScale;
+  double scale_above_ = kUsualScale * kAbove;
   CastNumbers numbers_;  // NOLINT(*-member-init): all that is read is set by the constructor
 };
 
