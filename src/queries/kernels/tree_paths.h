@@ -65,10 +65,11 @@ class CastAtNode {
   bool is_certain(const TreeNode& node, std::uint32_t bodies) const {
     // Numbers that are too small for a normal one may come out as the same: less, not less or equal.
     const std::uint32_t others = test_each([&](unsigned place) {
-      const Vector enters = first(x_.before(node, place) * x_.later, y_.before(node, place) * y_.later,
-                                  z_.before(node, place) * z_.later);
-      const Vector leaves = last(x_.behind(node, place) * x_.sooner, y_.behind(node, place) * y_.sooner,
-                                 z_.behind(node, place) * z_.sooner, certain_end_);
+      const Vector enters = surely_first(x_.before(node, place) * x_.later, y_.before(node, place) * y_.later,
+                                         z_.before(node, place) * z_.later);
+      const Vector leaves =
+          surely_last(x_.behind(node, place) * x_.sooner, y_.behind(node, place) * y_.sooner,
+                      z_.behind(node, place) * z_.sooner, certain_end_);
       return Lanes::bits(Lanes::less_equal(leaves, enters));
     });
     return without(bodies, others & bodies) != 0;
@@ -84,9 +85,18 @@ class CastAtNode {
 
   // When the path has come to boxes on all axes, and when it has left them on one or ends. A product that
   // overflows, or is too small for a normal number, is rounded as others are: what enters no later than it
-  // leaves comes out so.
-  static Vector first(Vector x, Vector y, Vector z) { return larger(x, larger(y, larger(z, Vector{}))); }
+  // leaves comes out so. Axes two by two, of which none waits for another one. NaN, of a side that a path
+  // grazes which stays on that axis, counts for nothing, and on the second of two the first one with it: that
+  // is no bound, and no box is missed.
+  static Vector first(Vector x, Vector y, Vector z) { return larger(larger(x, y), larger(z, Vector{})); }
   static Vector last(Vector x, Vector y, Vector z, Vector end) {
+    return smaller(smaller(x, y), smaller(z, end));
+  }
+  // The same where each bound counts.
+  static Vector surely_first(Vector x, Vector y, Vector z) {
+    return larger(x, larger(y, larger(z, Vector{})));
+  }
+  static Vector surely_last(Vector x, Vector y, Vector z, Vector end) {
     return smaller(z, smaller(y, smaller(x, end)));
   }
 
