@@ -21,8 +21,8 @@ inline bool is_tagged(const BoxRow& row) {
 
 template <class Lanes>
 constexpr TreeKernels make_tree_kernels() {
-  return {walk_tree_for_overlaps<Lanes>, walk_tree_on_path<Lanes>, walk_tree_for_near<Lanes>,
-          walk_tree_within<Lanes>, node_distances<Lanes>};
+  return {walk_tree_for_overlaps<Lanes>, walk_tree_on_path<Lanes>, walk_tree_on_whole_path<Lanes>,
+          walk_tree_for_near<Lanes>,     walk_tree_within<Lanes>,  node_distances<Lanes>};
 }
 
 /// `Tagged` are the lanes for boxes of cells, `Plain` for others, `Few` for what is quicker in few lanes;

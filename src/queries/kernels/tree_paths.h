@@ -120,6 +120,21 @@ void walk_tree_on_path(const TreeNode* nodes, const CastNumbers& path, const Tak
   }
 }
 
+/// Of a path that does not become shorter.
+template <class Lanes>
+void walk_tree_on_whole_path(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
+  const CastAtNode<Lanes> cast(path);
+  WaitingNodes waiting(nodes);
+  float keys[TreeNode::kBoxes];
+  for (const TreeNode* node = nodes; node != nullptr;) {
+    __builtin_prefetch(node->content);
+    const std::uint32_t bits = cast.test(*node, keys);
+    const std::uint32_t bodies = bits & node->bodies;
+    if (bodies != 0 && !take.take(take.self, *node, bodies)) return;
+    node = waiting.next(*node, bits & node->nodes);
+  }
+}
+
 template <class Lanes>
 bool walk_tree_to_any(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
   CastAtNode<Lanes> cast(path);
@@ -134,7 +149,7 @@ bool walk_tree_to_any(const TreeNode* nodes, const CastNumbers& path, const Take
       // Nothing that stays in a register over the call: else it would be in memory all the time.
       cast = CastAtNode<Lanes>(path);
     }
-    node = waiting.next(*node, bits & node->nodes, keys, path.end);
+    node = waiting.next(*node, bits & node->nodes);
   }
   return false;
 }

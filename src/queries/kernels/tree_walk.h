@@ -39,6 +39,19 @@ class WaitingNodes {
     return nodes_ + next;
   }
 
+  /// The same where the order is of no use: the first of theirs, or the last that waits. The way to it waits
+  /// for no comparison, which is worth more than to come to a body sooner where one is enough.
+  const TreeNode* next(const TreeNode& node, std::uint32_t bits) {
+    if (bits == 0) return count_ > 0 ? nodes_ + waiting_[--count_].node : nullptr;
+    const TreeNode* const next = nodes_ + node.content[__builtin_ctz(bits)];
+    for (bits &= bits - 1; bits != 0; bits &= bits - 1) {
+      const std::uint32_t other = node.content[__builtin_ctz(bits)];
+      prefetch(nodes_ + other);
+      waiting_[count_++].node = other;
+    }
+    return next;
+  }
+
  private:
   struct Waiting {
     float key;
@@ -77,33 +90,40 @@ inline std::uint32_t without(std::uint32_t bits, std::uint32_t some_of_them) {
   return bits ^ some_of_them;
 }
 
-/// Tests the boxes of a node: a bit for each that passes `test(faces, key)`, and their keys.
+/// Tests the boxes of a node: a bit for each that passes `test(faces, first)`, of those in the places from
+/// `first` on.
 template <class Lanes, class Test>
-std::uint32_t test_node(const TreeNode& node, float (&keys)[TreeNode::kBoxes], const Test& test) {
+std::uint32_t test_node(const TreeNode& node, const Test& test) {
   std::uint32_t bits = 0;
   for (unsigned first = 0; first < TreeNode::kBoxes; first += Lanes::kCount) {
     const auto face = [&](unsigned number) { return load<Lanes>(node.faces[number] + first); };
     const VectorOf<Lanes> faces[6] = {face(0), face(1), face(2), face(3), face(4), face(5)};
-    VectorOf<Lanes> key;
-    bits |= test(faces, key) << first;
-    __builtin_memcpy(keys + first, &key, sizeof(key));
+    bits |= test(faces, first) << first;
   }
   return bits;
+}
+
+/// The same, and their keys: `test(faces, key)`.
+template <class Lanes, class Test>
+std::uint32_t test_node(const TreeNode& node, float (&keys)[TreeNode::kBoxes], const Test& test) {
+  return test_node<Lanes>(node, [&](const auto& faces, unsigned first) {
+    VectorOf<Lanes> key;
+    const std::uint32_t bits = test(faces, key);
+    __builtin_memcpy(keys + first, &key, sizeof(key));
+    return bits;
+  });
 }
 
 template <class Lanes>
 void walk_tree_for_overlaps(const TreeNode* nodes, const Aabb& box, const TakeBodies& take) {
   const OverlapLanes<Lanes> lanes(box);
   WaitingNodes waiting(nodes);
-  float keys[TreeNode::kBoxes];
   for (const TreeNode* node = nodes; node != nullptr;) {
-    const std::uint32_t bits = test_node<Lanes>(*node, keys, [&](const auto& faces, VectorOf<Lanes>& key) {
-      key = VectorOf<Lanes>{};
-      return lanes.test(faces);
-    });
+    const std::uint32_t bits =
+        test_node<Lanes>(*node, [&](const auto& faces, unsigned) { return lanes.test(faces); });
     const std::uint32_t bodies = bits & node->bodies;
     if (bodies != 0 && !take.take(take.self, *node, bodies)) return;
-    node = waiting.next(*node, without(bits, bodies), keys, 0);
+    node = waiting.next(*node, without(bits, bodies));
   }
 }
 

@@ -35,7 +35,7 @@ using Candidates = std::span<const Candidate>;
 void list_touches(const Asked& asked, const Path& path, std::vector<Touch>& found) {
   const auto before = static_cast<std::ptrdiff_t>(found.size());
   const Cast cast(path);
-  walk_path(asked.world, path, [&](Candidates candidates) {
+  walk_whole_path(asked.world, path, [&](Candidates candidates) {
     for (const auto& [slot, box] : candidates) {
       const auto time = cast.touch(box, path.end);
       if (time && asked.world.may_be_answer(asked.filter, slot))

@@ -19,9 +19,11 @@ bool give_bodies(void* taker, const TreeNode& node, std::uint32_t bodies) {
   return to.give(count);
 }
 
-void walk(const World& world, const Path& path, PathTaker& taker) {
+using WalkTree = decltype(TreeKernels::cast);
+
+void walk(const World& world, const Path& path, PathTaker& taker, WalkTree walk_tree) {
   if (const BoxTree* const tree = world.tree())
-    return world.kernels().trees->cast(tree->nodes(), taker.numbers(), {give_bodies, &taker});
+    return walk_tree(tree->nodes(), taker.numbers(), {give_bodies, &taker});
   pay_for_tree(world,
                world.root() != nullptr ? walk_cells(world, Cast(path), taker) : scan_boxes(world, taker));
 }
@@ -30,14 +32,19 @@ void walk(const World& world, const Path& path, PathTaker& taker) {
 
 void walk_path(const World& world, const Path& path, Take take) {
   PathTaker taker(path, take);
-  walk(world, path, taker);
+  walk(world, path, taker, world.kernels().trees->cast);
+}
+
+void walk_whole_path(const World& world, const Path& path, Take take) {
+  PathTaker taker(path, take);
+  walk(world, path, taker, world.kernels().trees->cast_all);
 }
 
 bool walk_to_any(const World& world, const Path& path, Take take) {
   PathTaker taker(path, take);
   if (const BoxTree* const tree = world.tree(); tree != nullptr && taker.numbers().can_be_certain)
     return world.kernels().any(tree->nodes(), taker.numbers(), {give_bodies, &taker});
-  walk(world, path, taker);
+  walk(world, path, taker, world.kernels().trees->cast_all);
   return false;
 }
 

@@ -17,6 +17,9 @@ using Take = FunctionRef<double(std::span<const Candidate>)>;
 /// path touches up to its end is among them, several times perhaps, and others are.
 void walk_path(const World& world, const Path& path, Take take);
 
+/// The same in no order, for one who wants all up to the path's end and never makes it shorter.
+void walk_whole_path(const World& world, const Path& path, Take take);
+
 /// The same for one who takes any body as an answer and wants no more than one: true, and nobody need look,
 /// when the path touches one for certain.
 bool walk_to_any(const World& world, const Path& path, Take take);
