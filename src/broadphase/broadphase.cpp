@@ -25,6 +25,7 @@ namespace cellsweep {
 /// Admission, engine and pairs. Everything that can fail happens before anything shows.
 class [[gnu::visibility("hidden")]] Broadphase::Impl {
  public:
+  // Else it would become part of std::make_unique(), which is not compiled for size.
   [[gnu::cold, gnu::noinline]] Impl(HandleParts parts, std::unique_ptr<Engine> engine,
                                     std::shared_ptr<Timeline> timeline)
       : parts_(std::move(parts)),

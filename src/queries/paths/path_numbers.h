@@ -97,8 +97,9 @@ class PathNumbers {
     double inverse;
   };
 
-  // So that no component is more than 1: a gap that is infinite in floats is no nearer than the farthest end.
-  // An axis that is flat counts as one along which it goes up, infinitely slowly.
+  // No component of a direction over its scale is more than 1: a gap that is infinite in floats takes so long
+  // that a path which ends behind it has no end in floats. An axis that is flat counts as one along which it
+  // goes up, infinitely slowly.
   void set_axes(const BoxLanes& box, Float4 direction, float scale) {
     // Not a comparison, which compilers would follow by choices between numbers: these take more operations.
     const Int4 goes_down = reinterpret_cast<Int4>(direction) >> 31;
