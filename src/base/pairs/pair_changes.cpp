@@ -105,23 +105,19 @@ bool are_four_alike(std::span<const AnyPair> one, std::size_t i, std::span<const
 // Lists that differ in few places are compared four pairs at a time between them. Where they differ nobody
 // can foretell: there is no branch on it otherwise.
 template <class AnyPair>
-void find_changes(std::span<const AnyPair> old, std::span<const AnyPair> now,
-                  std::span<const std::uint32_t> gone, Array<AnyPair>& began_list,
-                  Array<AnyPair>& ended_list) {
+ChangeRoom<AnyPair> write_changes(std::span<const AnyPair> old, std::span<const AnyPair> now,
+                                  std::span<const std::uint32_t> gone, ChangeRoom<AnyPair> room) {
+  auto [began, ended] = room;
   const auto is_gone = [&](std::uint32_t number) {
     return std::binary_search(gone.begin(), gone.end(), number);
   };
-  began_list.renew(now.size());
-  ended_list.renew(old.size());
-  AnyPair* began = began_list.data();
-  AnyPair* ended = ended_list.data();
   std::size_t i = 0, j = 0;
   while (i < old.size() && j < now.size()) {
     const std::uint64_t before = pair_key(old[i]);
     const std::uint64_t after = pair_key(now[j]);
+    const bool other = before == after && !gone.empty() && (is_gone(old[i].a) || is_gone(old[i].b));
     *ended = old[i];
     *began = now[j];
-    const bool other = before == after && !gone.empty() && (is_gone(old[i].a) || is_gone(old[i].b));
     ended += before < after || other ? 1 : 0;
     began += after < before || other ? 1 : 0;
     i += before <= after ? 1 : 0;
@@ -131,8 +127,19 @@ void find_changes(std::span<const AnyPair> old, std::span<const AnyPair> now,
   }
   ended = std::copy(old.begin() + static_cast<std::ptrdiff_t>(i), old.end(), ended);
   began = std::copy(now.begin() + static_cast<std::ptrdiff_t>(j), now.end(), began);
-  began_list.shrink(static_cast<std::size_t>(began - began_list.data()));
-  ended_list.shrink(static_cast<std::size_t>(ended - ended_list.data()));
+  return {began, ended};
+}
+
+template <class AnyPair>
+void find_changes(std::span<const AnyPair> old, std::span<const AnyPair> now,
+                  std::span<const std::uint32_t> gone, Array<AnyPair>& began_list,
+                  Array<AnyPair>& ended_list) {
+  began_list.renew(now.size());
+  ended_list.renew(old.size());
+  const auto [began_end, ended_end] =
+      write_changes(old, now, gone, ChangeRoom<AnyPair>{began_list.data(), ended_list.data()});
+  began_list.shrink(static_cast<std::size_t>(began_end - began_list.data()));
+  ended_list.shrink(static_cast<std::size_t>(ended_end - ended_list.data()));
 }
 
 template <class AnyPair>
@@ -198,6 +205,8 @@ bool AlternatingMerge<AnyPair>::go_on(std::size_t steps) {
   return old_.empty() && keys_.empty();
 }
 
+template ChangeRoom<SlotPair> write_changes(std::span<const SlotPair>, std::span<const SlotPair>,
+                                            std::span<const std::uint32_t>, ChangeRoom<SlotPair>);
 template void find_changes(std::span<const Pair>, std::span<const Pair>, std::span<const std::uint32_t>,
                            Array<Pair>&, Array<Pair>&);
 template void find_changes(std::span<const SlotPair>, std::span<const SlotPair>,

@@ -27,6 +27,19 @@ template <class AnyPair>
 void find_changes(std::span<const AnyPair> old, std::span<const AnyPair> now,
                   std::span<const std::uint32_t> gone, Array<AnyPair>& began, Array<AnyPair>& ended);
 
+/// Where pairs that began and ended are written, or how far that is done.
+template <class AnyPair>
+struct ChangeRoom {
+  AnyPair* began;
+  AnyPair* ended;
+};
+
+/// The same, written to a room for all of `now` and of `old`, which may be theirs. Returns the ends of what
+/// was written.
+template <class AnyPair>
+ChangeRoom<AnyPair> write_changes(std::span<const AnyPair> old, std::span<const AnyPair> now,
+                                  std::span<const std::uint32_t> gone, ChangeRoom<AnyPair> room);
+
 /// Writes a list with some changes to `now`. What lies between two changes is copied as a whole. All that
 /// ended is in the old list.
 template <class AnyPair>

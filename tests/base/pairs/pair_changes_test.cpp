@@ -113,6 +113,24 @@ TYPED_TEST(PairChangesTest, APairThatChangesTwiceIsAsItWas) {
   }
 }
 
+TEST(PairChanges, MayBeWrittenOverTheListsThatTheyAreFoundIn) {
+  Random random(5);
+  for (int round = 0; round < 300; ++round) {
+    const auto list = [&random, few = Slot{40}] {
+      std::vector<SlotPair> pairs;
+      for (Slot slot = 0; slot < few; ++slot)
+        if (!random.one_in(4)) pairs.push_back({slot, slot + 1});
+      return pairs;
+    };
+    std::vector<SlotPair> old = list(), now = list(), began, ended;
+    std::ranges::set_difference(now, old, std::back_inserter(began));
+    std::ranges::set_difference(old, now, std::back_inserter(ended));
+    const ChangeRoom<SlotPair> ends = write_changes<SlotPair>(old, now, {}, {now.data(), old.data()});
+    EXPECT_THAT(std::span(now.data(), ends.began), ElementsAreArray(began));
+    EXPECT_THAT(std::span(old.data(), ends.ended), ElementsAreArray(ended));
+  }
+}
+
 TEST(PairChanges, AreAppliedByAnyNumberOfWorkersAlike) {
   Random random(3);
   Array<SlotPair> now;

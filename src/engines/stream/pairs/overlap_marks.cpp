@@ -12,7 +12,7 @@
 namespace cellsweep::stream {
 namespace {
 
-/// Returns the end of what it wrote. There is room for all.
+/// Returns the end of what it wrote. There is room for all; it may be that of the candidates.
 SlotPair* copy_marked(std::span<const SlotPair> candidates, const std::uint8_t* marks, SlotPair* to) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     *to = candidates[i];
@@ -113,39 +113,23 @@ SlotPairChanges OverlapMarks::refresh(Crew& crew, std::span<const SlotPair> cand
   return {std::as_const(began).view(), std::as_const(ended).view()};
 }
 
-// Where the lists and the marks differ nobody can foretell: there is no branch on them.
+void OverlapMarks::leave_marked(Array<SlotPair>& candidates) const {
+  const SlotPair* const end = copy_marked(candidates.view(), marks_.data(), candidates.data());
+  candidates.shrink(static_cast<std::size_t>(end - candidates.data()));
+}
+
+// The marked ones are copied first: they are nearly those that overlapped before, where candidates are
+// others each time.
 SlotPairChanges OverlapMarks::compare(std::span<const SlotPair> before, std::span<const SlotPair> now,
                                       PairRoom& room) const {
   room.one.renew(now.size());
   room.other.renew(before.size());
-  SlotPair* began = room.one.data();
-  SlotPair* ended = room.other.data();
-  const std::uint8_t* const was = spare_.data();
-  const std::uint8_t* const is = marks_.data();
-  std::size_t i = 0, j = 0;
-  while (i < before.size() && j < now.size()) {
-    const std::uint64_t key_before = pair_key(before[i]);
-    const std::uint64_t key_now = pair_key(now[j]);
-    const unsigned was_it = key_before <= key_now ? was[i] : 0U;
-    const unsigned is_it = key_now <= key_before ? is[j] : 0U;
-    *ended = before[i];
-    *began = now[j];
-    ended += was_it & ~is_it;
-    began += is_it & ~was_it;
-    i += key_before <= key_now ? 1 : 0;
-    j += key_now <= key_before ? 1 : 0;
-  }
-  ended = copy_marked(before.subspan(i), was + i, ended);
-  began = copy_marked(now.subspan(j), is + j, began);
+  SlotPair* const end = copy_marked(now, marks_.data(), room.one.data());
+  const auto [began, ended] =
+      write_changes<SlotPair>(before, {room.one.data(), end}, {}, {room.one.data(), room.other.data()});
   room.one.shrink(static_cast<std::size_t>(began - room.one.data()));
   room.other.shrink(static_cast<std::size_t>(ended - room.other.data()));
   return {std::as_const(room.one).view(), std::as_const(room.other).view()};
-}
-
-void OverlapMarks::list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const {
-  marked.renew(candidates.size());
-  const SlotPair* const end = copy_marked(candidates, marks_.data(), marked.data());
-  marked.shrink(static_cast<std::size_t>(end - marked.data()));
 }
 
 void OverlapMarks::give_back() {

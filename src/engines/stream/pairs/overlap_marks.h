@@ -37,15 +37,12 @@ class OverlapMarks {
   SlotPairChanges refresh(Crew& crew, std::span<const SlotPair> candidates, const SlotPairChanges& changes,
                           const TestedBoxes& tested, PairRoom& room);
 
-  /// Keeps the marks for compare(): those that follow, by mark_all() or test_all(), are of other candidates.
-  void keep() { std::swap(marks_, spare_); }
+  /// Leaves the marked ones in the list of all candidates.
+  void leave_marked(Array<SlotPair>& candidates) const;
 
-  /// What differs between the marked ones of the candidates before, whose marks were kept, and of those now.
+  /// What differs between the pairs that overlapped before and the marked ones of the candidates now.
   SlotPairChanges compare(std::span<const SlotPair> before, std::span<const SlotPair> now,
                           PairRoom& room) const;
-
-  /// Writes the marked ones of the candidates to a list.
-  [[gnu::cold]] void list_marked(std::span<const SlotPair> candidates, Array<SlotPair>& marked) const;
 
   /// Gives memory back that the next call may ask for again.
   [[gnu::cold]] void give_back();

@@ -8,13 +8,11 @@
 namespace cellsweep::stream {
 
 void Overlaps::set_aside(const BodyChanges& changes) {
-  were_pairs_ = marks_say_ == Marks::all_overlap;
-  if (!were_pairs_) {
-    repair_marks(changes);
-    marks_.keep();
-  }
-  marks_say_ = Marks::true_of_it;
+  const bool are_marked = marks_say_ != Marks::all_overlap;
+  if (are_marked) repair_marks(changes);
   list_.take(crew_, room_, before_);
+  if (are_marked) marks_.leave_marked(before_);
+  marks_say_ = Marks::true_of_it;
 }
 
 void Overlaps::replace(KeyParts found, bool are_pairs) {
@@ -33,28 +31,15 @@ FoundPairs Overlaps::compare(const BodyChanges& changes) {
   const std::span<const SlotPair> before = std::as_const(before_).view();
   before_.shrink(0);
   if (are_pairs_ && before.empty()) return {.began = now};
-  if (are_pairs_ && were_pairs_) {
+  if (are_pairs_) {
     find_changes<SlotPair>(before, now, {}, room_.one, room_.other);
     return {.began = std::as_const(room_.one).view(), .ended = std::as_const(room_.other).view()};
   }
-  const SlotPairChanges found = compare_marked(changes, before, now);
+  crew_.plan(now.size(), tuning::kTestGuess);
+  marks_.test_all(crew_, now, changes.boxes.data());
+  tests_ += now.size();
+  const SlotPairChanges found = marks_.compare(before, now, room_);
   return {.began = found.began, .ended = found.ended};
-}
-
-SlotPairChanges Overlaps::compare_marked(const BodyChanges& changes, std::span<const SlotPair> before,
-                                         std::span<const SlotPair> now) {
-  if (were_pairs_) {
-    marks_.mark_all(before.size());
-    marks_.keep();
-  }
-  if (are_pairs_) {
-    marks_.mark_all(now.size());
-  } else {
-    crew_.plan(now.size(), tuning::kTestGuess);
-    marks_.test_all(crew_, now, changes.boxes.data());
-    tests_ += now.size();
-  }
-  return marks_.compare(before, now, room_);
 }
 
 // Where marks were not kept up to date, they are what the boxes of the last update say.
@@ -139,8 +124,8 @@ FoundPairs Overlaps::find_of_few(CellTree& cells, const BodyChanges& changes, co
 }
 
 FoundPairs Overlaps::end_all(const BodyChanges& changes) {
-  repair_marks(changes);
-  marks_.list_marked(list_.pairs(crew_, room_), ended_);
+  set_aside(changes);
+  std::swap(before_, ended_);
   clear();
   return {.ended = std::as_const(ended_).view()};
 }

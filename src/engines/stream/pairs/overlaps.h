@@ -92,8 +92,6 @@ class Overlaps {
 
   void mark_fresh(const BodyChanges& changes, std::uint8_t mark);
   void mark_fresh(std::span<const FatBoxChange> fat_changes, std::uint8_t mark);
-  SlotPairChanges compare_marked(const BodyChanges& changes, std::span<const SlotPair> before,
-                                 std::span<const SlotPair> now);
   void repair_marks(const BodyChanges& changes);
   void note(std::span<const std::uint64_t> keys, bool are_there);
 
@@ -106,8 +104,7 @@ class Overlaps {
   bool are_pairs_ = true;  // all candidates
   Marks marks_say_ = Marks::all_overlap;
   PairRoom room_;
-  Array<SlotPair> before_;    // the candidates that were replaced, until they were compared with those now,
-  bool were_pairs_ = false;   // all of which overlapped
+  Array<SlotPair> before_;    // the pairs that were replaced, until they were compared with those now
   Array<SlotPair> ended_;     // when nobody was left
   List<std::uint8_t> fresh_;  // by slot, 0 between updates
   std::uint64_t tests_ = 0;
