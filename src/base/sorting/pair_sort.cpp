@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/sorting/key_buckets.h"
 #include "base/sorting/key_sort.h"
 #include "base/sorting/narrow_sort.h"
 #include "base/tuning.h"
@@ -14,8 +15,6 @@ namespace cellsweep {
 namespace {
 
 using Key = std::uint64_t;
-using tuning::kBuckets;
-using tuning::kNarrowest;
 using tuning::kOneStep;
 using tuning::kOneStepAlone;
 
@@ -83,80 +82,6 @@ void sort_bucket(std::span<Key> keys, Array<Key>& spare, std::uint32_t* numbers)
   sort_in_ranges(keys, spare.view(), ranges, numbers);
 }
 
-/// The keys of several buffers cut into buckets of equally many first ids, by all workers.
-class Distribution {
- public:
-  Distribution(Crew& crew, KeyParts parts, Array<Key>& scratch)
-      : crew_(crew), parts_(parts), scratch_(scratch), counts_(crew.active() * kBuckets) {}
-
-  void run(std::size_t total) {
-    find_range();
-    shift_ = static_cast<unsigned>(std::bit_width(std::max(range_.size() / kBuckets, kNarrowest - 1)));
-    scratch_.renew(total);
-    crew_.run([&](unsigned worker) { count(worker); });
-    make_prefix_sums();
-    crew_.run([&](unsigned worker) { distribute(worker); });
-  }
-
-  std::vector<std::size_t> begins() const { return {first_.begin(), first_.end()}; }
-
- private:
-  template <class Visit>
-  void for_each_key(unsigned worker, Visit&& visit) const {
-    for (const std::span<const Key> keys : parts_) {
-      const Share share = Share::of(keys.size(), worker, crew_.active());
-      for (std::size_t i = share.first; i < share.last; ++i) visit(keys[i]);
-    }
-  }
-
-  void find_range() {
-    std::vector<Range> ranges(crew_.active());
-    crew_.run([&](unsigned worker) {
-      Range range;
-      for_each_key(worker, [&](Key key) { range.include(static_cast<std::uint32_t>(key >> 32)); });
-      ranges[worker] = range;
-    });
-    for (const Range& range : ranges) range_.include(range);
-  }
-
-  std::size_t bucket_of(Key key) const { return ((key >> 32) - range_.low) >> shift_; }
-
-  void count(unsigned worker) {
-    std::array<std::size_t, kBuckets> counts{};
-    for_each_key(worker, [&](Key key) { ++counts[bucket_of(key)]; });
-    std::copy(counts.begin(), counts.end(), counts_.data() + worker * kBuckets);
-  }
-
-  void make_prefix_sums() {
-    std::size_t sum = 0;
-    for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) {
-      first_[bucket] = sum;
-      for (unsigned worker = 0; worker < crew_.active(); ++worker) {
-        std::size_t& count = counts_[worker * kBuckets + bucket];
-        const std::size_t place = sum;
-        sum += count;
-        count = place;
-      }
-    }
-    first_[kBuckets] = sum;
-  }
-
-  void distribute(unsigned worker) {
-    std::array<std::size_t, kBuckets> place{};
-    std::copy_n(counts_.data() + worker * kBuckets, kBuckets, place.begin());
-    Key* const keys = scratch_.data();
-    for_each_key(worker, [&](Key key) { keys[place[bucket_of(key)]++] = key; });
-  }
-
-  Crew& crew_;
-  KeyParts parts_;
-  Array<Key>& scratch_;
-  Range range_;
-  unsigned shift_ = 0;  // a bucket has 2^shift_ first ids: a division would cost more than all else
-  std::vector<std::size_t> counts_;  // by worker and bucket; then where the worker writes
-  std::array<std::size_t, kBuckets + 1> first_{};
-};
-
 Ranges gather(KeyParts parts, std::span<Key> keys) {
   Ranges ranges;
   Key* end = keys.data();
@@ -208,12 +133,6 @@ bool are_sorted_in_parts(std::size_t keys) {
   return keys > kOneStep;
 }
 
-std::vector<std::size_t> distribute_pairs(Crew& crew, KeyParts parts, Array<Key>& scratch) {
-  Distribution distribution(crew, parts, scratch);
-  distribution.run(count_keys(parts));
-  return distribution.begins();
-}
-
 template <class AnyPair>
 void sort_buckets(Crew& crew, std::span<const std::size_t> begins, std::size_t first, std::size_t count,
                   Array<Key>& scratch, Array<AnyPair>& sorted) {
@@ -227,7 +146,10 @@ void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array
   if (total == 0) return;
   if (total <= (crew.active() == 1 ? kOneStepAlone : kOneStep))
     return sort_in_one_step(parts, total, scratch, numbers_of(sorted));
-  sort_some_buckets(crew, distribute_pairs(crew, parts, scratch), scratch, numbers_of(sorted));
+  KeyBuckets buckets(crew, parts, crew.active());
+  scratch.renew(total);
+  buckets.distribute(crew, buckets.parts(), scratch.data());
+  sort_some_buckets(crew, buckets.begins(), scratch, numbers_of(sorted));
 }
 
 template void sort_buckets(Crew&, std::span<const std::size_t>, std::size_t, std::size_t,

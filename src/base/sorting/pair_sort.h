@@ -29,10 +29,8 @@ inline std::size_t count_keys(KeyParts parts) {
 template <class AnyPair>
 void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array<AnyPair>& sorted);
 
-/// The same a part at a time, for many keys: first all go into `scratch`, in buckets of equally many first
-/// bodies. Returns where these begin; behind them stands how many keys there are.
-std::vector<std::size_t> distribute_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch);
-/// Then so many of the buckets, from the first on, are written to `sorted`, which has room for all keys.
+/// The same a part at a time, for many keys that are in buckets (KeyBuckets) in `scratch`, which begin there:
+/// so many of the buckets, from the first on, are written to `sorted`, which has room for all keys.
 template <class AnyPair>
 void sort_buckets(Crew& crew, std::span<const std::size_t> begins, std::size_t first, std::size_t count,
                   Array<std::uint64_t>& scratch, Array<AnyPair>& sorted);

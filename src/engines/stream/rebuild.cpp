@@ -15,9 +15,10 @@ bool may_prepare(const BodyChanges& changes) {
 }  // namespace
 
 bool Rebuild::begin_update(const BodyChanges& changes) {
+  started_ = Cost::Clock::now();
   ++age_;
   if (holds_memory_ && (!may_prepare(changes) || !watch_.see(changes))) drop();
-  if (stage_ != kAll) return false;
+  if (stage_ != kAll || age_ < begun_ + lasts_) return false;
   may_begin_ = !watch_.most_stay() && fat_boxes_.are_being_left(changes, static_cast<float>(lasts_));
   fat_boxes_.use_prepared();
   return true;
@@ -25,13 +26,16 @@ bool Rebuild::begin_update(const BodyChanges& changes) {
 
 std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped, const Cost& cost) {
   escaped_ += escaped;
-  if (!may_begin_ || stage_ == kAll || !may_prepare(changes)) return 0;
+  const Cost::Clock::duration besides = Cost::Clock::now() - started_;
+  if (!may_begin_ || !may_prepare(changes)) return 0;
   if (stage_ == kNothing && !begin(changes)) return 0;
-  const double parts = lasts_ - 1;
-  crew_.plan(static_cast<std::size_t>(static_cast<double>(changes.bodies) / parts), cost.seconds());
+  const std::uint32_t part = age_ - begun_;
+  pace_.note(part, std::chrono::duration<double>(besides).count());
+  if (stage_ == kAll) return 0;
+  crew_.plan(changes.bodies / (lasts_ - 1), cost.seconds());
   const double before = fat_done_;
   try {
-    prepare_until((age_ - begun_) / parts, changes);
+    prepare_until(pace_.due(part), changes);
   } catch (const TooManyPairs&) {
     drop();
     return 0;
@@ -46,7 +50,8 @@ bool Rebuild::begin(const BodyChanges& changes) {
   lasts_ = updates_for_next(changes);
   if (lasts_ == 0) return false;
   watch_.begin(changes);
-  shares_.begin();
+  pace_.begin(lasts_ - 1, shares_.seconds());
+  shares_.begin(lasts_ - 1);
   fat_boxes_.begin_prepared(changes.boxes);
   holds_memory_ = true;
   stage_ = kBegun;
@@ -92,11 +97,11 @@ void Rebuild::prepare_until(double due, const BodyChanges& changes) {
     stage_ = kFilled;
   }
   if (stage_ == kFilled && prepare_cells(due)) stage_ = kCells;
-  if (stage_ == kCells && shares_.is_due(kDistributed, due)) {
-    do_part(kDistributed, [&] { overlaps_.prepare(search_.prepared().found()); });
-    stage_ = kDistributed;
+  if (stage_ == kCells && shares_.is_due(kCounted, due)) {
+    do_part(kCounted, [&] { overlaps_.prepare(search_.prepared().found()); });
+    stage_ = kCounted;
   }
-  if (stage_ == kDistributed && prepare_order(due)) {
+  if (stage_ == kCounted && prepare_order(due)) {
     shares_.learn();
     stage_ = kAll;
   }

@@ -12,6 +12,7 @@
 #include "engines/stream/bodies/watch.h"
 #include "engines/stream/cost.h"
 #include "engines/stream/pairs/overlaps.h"
+#include "engines/stream/rebuild_pace.h"
 #include "engines/stream/rebuild_shares.h"
 #include "engines/stream/search.h"
 
@@ -65,8 +66,10 @@ class Rebuild {
   Overlaps& overlaps_;
   Watch watch_;
   RebuildStage stage_ = kNothing;
+  RebuildPace pace_;
   RebuildShares shares_;
-  bool were_prepared_ = false;  // the fat boxes that are in use
+  Cost::Clock::time_point started_;  // this update
+  bool were_prepared_ = false;       // the fat boxes that are in use
   bool holds_memory_ = false;
   bool may_begin_ = false;        // the next one, when most fat boxes are going to be left
   double fat_done_ = 0;           // the share of the next fat boxes that are made

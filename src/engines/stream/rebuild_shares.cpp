@@ -4,26 +4,14 @@
 #include <numeric>
 
 namespace cellsweep::stream {
-namespace {
-
-/// What comes before the cells is done by then, and cells take so much of all updates at least: whatever the
-/// clock says, no update of three compares more boxes than two thirds of all cells have.
-constexpr double kDueBeforeCells = 0.5;
-constexpr double kLeastOfCells = 0.5;
-
-}  // namespace
-
-bool RebuildShares::is_late(RebuildStage stage, double due) {
-  return stage < kCells && due > kDueBeforeCells;
-}
 
 double RebuildShares::due_of(RebuildStage stage, double due) const {
-  if (is_late(stage, due)) return 1;
+  if (due >= 1 || is_late(stage, due)) return 1;
   const double before = done_[stage - 1];
   const double share = done_[stage] - before;
   if (stage == kCells) {
-    const double first = std::min(before, kDueBeforeCells);
-    return std::clamp((due - first) / std::max(share, kLeastOfCells), 0.0, 1.0);
+    const double first = std::min(before, due_before_cells());
+    return std::clamp((due - first) / std::max(share, least_of_cells_), 0.0, 1.0);
   }
   const double done = std::clamp((due - before) / share, 0.0, 1.0);
   return stage < kCells ? done : std::min(done, due_of(static_cast<RebuildStage>(stage - 1), due));
@@ -37,6 +25,7 @@ void RebuildShares::learn() {
   constexpr double kMoreAtMost = 0.1;
   const double all = std::accumulate(seconds_.begin(), seconds_.end(), 0.0);
   if (!(all > 0)) return;
+  mean_ = mean_ > 0 ? (mean_ + all) / 2 : all;
   Stages shares{};
   for (int stage = kFatBoxes; stage <= kAll; ++stage) {
     const double before = done_[stage] - done_[stage - 1];

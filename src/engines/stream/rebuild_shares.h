@@ -3,11 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+
+#include "engines/stream/rebuild_pace.h"
 
 namespace cellsweep::stream {
 
 /// What of a rebuild is done.
-enum RebuildStage { kNothing, kBegun, kFatBoxes, kListed, kFilled, kCells, kDistributed, kAll };
+enum RebuildStage { kNothing, kBegun, kFatBoxes, kListed, kFilled, kCells, kCounted, kAll };
 
 /// How much of the work is done with each stage, by what the last rebuilds took: that differs with the world,
 /// with its size and with how much of it the caches hold.
@@ -21,20 +24,33 @@ class RebuildShares {
   /// How much of a stage is, 0 to 1.
   double due_of(RebuildStage stage, double due) const;
 
-  /// A rebuild begins, whatever became of the last one.
-  void begin() { seconds_ = {}; }
+  /// A rebuild in so many parts begins, whatever became of the last one.
+  void begin(std::uint32_t parts) {
+    seconds_ = {};
+    least_of_cells_ = kPartsOfCells * RebuildPace::most_of_part(parts) / parts;
+  }
   /// A part of a stage took so long.
   void note(RebuildStage stage, double seconds) { seconds_[stage] += seconds; }
   /// All stages are done.
   void learn();
+  /// What rebuilds took in the mean, the last ones more than others; 0 before the first one.
+  double seconds() const { return mean_; }
 
  private:
   using Stages = std::array<double, kAll + 1>;
 
-  static bool is_late(RebuildStage stage, double due);
+  /// Cells take so many of the longest parts at least: whatever the clock says, no update compares more boxes
+  /// than two thirds of all cells have.
+  static constexpr double kPartsOfCells = 1.5;
+
+  bool is_late(RebuildStage stage, double due) const { return stage < kCells && due > due_before_cells(); }
+  /// What comes before the cells is done by then.
+  double due_before_cells() const { return 1 - least_of_cells_; }
 
   Stages done_ = {0, 0, 0.15, 0.25, 0.33, 0.83, 0.89, 1};  // EPYC, uniform 10,000 to 100,000
   Stages seconds_{};                                       // that each stage took in this rebuild
+  double mean_ = 0;
+  double least_of_cells_ = 0.5;
 };
 
 }  // namespace cellsweep::stream

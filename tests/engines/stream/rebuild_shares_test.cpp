@@ -5,17 +5,18 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace cellsweep::stream {
 namespace {
 
-constexpr std::array kStages = {kFatBoxes, kListed, kFilled, kCells, kDistributed, kAll};
+constexpr std::array kStages = {kFatBoxes, kListed, kFilled, kCells, kCounted, kAll};
 using Seconds = std::array<double, kStages.size()>;
 
-void learn(RebuildShares& shares, const Seconds& seconds, int times) {
+void learn(RebuildShares& shares, const Seconds& seconds, int times, std::uint32_t parts = 3) {
   for (int time = 0; time < times; ++time) {
-    shares.begin();
+    shares.begin(parts);
     for (std::size_t i = 0; i < kStages.size(); ++i) shares.note(kStages[i], seconds[i]);
     shares.learn();
   }
@@ -60,6 +61,10 @@ TEST(RebuildShares, HaveAllStagesDueInTheirOrderAndInTheEnd) {
   RebuildShares shares;
   for (const Seconds& seconds : {Seconds{}, Seconds{0, 0, 0, 7, 0, 0}, Seconds{0, 0, 0, 0, 7, 7},
                                  Seconds{1e9, 0, 0, 0, 0, 0}, Seconds{1, 2, 3, 4, 5, 6}}) {
+    for (std::uint32_t parts = 3; parts < 16; ++parts) {
+      learn(shares, seconds, 10, parts);
+      for (const RebuildStage stage : kStages) EXPECT_EQ(shares.due_of(stage, 1), 1) << parts;
+    }
     learn(shares, seconds, 200);
     for (double due = 0; due <= 1; due += 0.01) {
       for (std::size_t i = 1; i < kStages.size(); ++i) {
@@ -81,9 +86,12 @@ TEST(RebuildShares, LeaveNoUpdateWithMostOfTheCellsWhateverTheClockSays) {
        {Seconds{1, 1, 1, 0, 1, 1}, Seconds{0, 0, 0, 1, 0, 0}, Seconds{1e9, 0, 0, 0, 0},
         Seconds{1, 0, 0, 0, 0, 1}, Seconds{0, 0, 0, 0, 0, 1e9}}) {
     RebuildShares shares;
-    learn(shares, seconds, 20);
-    for (double due = 0.25; due <= 1; due += 0.05)
-      EXPECT_LT(shares.due_of(kCells, due) - shares.due_of(kCells, due - 0.25), 0.55);
+    for (const std::uint32_t parts : {3U, 4U, 5U, 7U, 15U}) {
+      learn(shares, seconds, 20, parts);
+      const double longest = RebuildPace::most_of_part(parts) / parts;
+      for (double due = longest; due <= 1; due += 0.01)
+        EXPECT_LT(shares.due_of(kCells, due) - shares.due_of(kCells, due - longest), 0.67) << parts;
+    }
   }
 }
 
@@ -98,11 +106,20 @@ TEST(RebuildShares, AreHardlyMovedByOneStageThatTookVeryLong) {
   EXPECT_GT(seconds_of(shares, kUsual, 0, 0.5), 3);
 }
 
+TEST(RebuildShares, KnowWhatARebuildTakes) {
+  RebuildShares shares;
+  EXPECT_EQ(shares.seconds(), 0);
+  learn(shares, {2, 1, 1, 6, 1, 1}, 1);
+  EXPECT_EQ(shares.seconds(), 12);
+  learn(shares, {4, 2, 2, 12, 2, 2}, 50);
+  EXPECT_NEAR(shares.seconds(), 24, 0.01);
+}
+
 TEST(RebuildShares, ForgetWhatWasGivenUp) {
   constexpr Seconds kUsual = {2, 1, 1, 6, 1, 1};
   RebuildShares shares;
   learn(shares, kUsual, 50);
-  shares.begin();
+  shares.begin(3);
   shares.note(kFatBoxes, 1e6);
   learn(shares, kUsual, 1);
   EXPECT_NEAR(seconds_of(shares, kUsual, 0, 0.5), 6, 0.1);

@@ -53,6 +53,12 @@ SlotPair* list_changed(std::span<const SlotPair> pairs, const std::uint8_t* chan
   return to;
 }
 
+/// How many of some steps are due with a share, 0 to 1, of all: they begin and end with these.
+std::size_t steps_due(double share, double begin, double end, std::size_t steps) {
+  const double due = std::clamp((share - begin) / (end - begin), 0.0, 1.0);
+  return static_cast<std::size_t>(due * static_cast<double>(steps));
+}
+
 }  // namespace
 
 std::span<const SlotPair> CandidateList::pairs(Crew& crew, PairRoom& room) {
@@ -78,25 +84,31 @@ void CandidateList::begin_sort(Crew& crew, Array<SlotPair>& spare) {
   std::swap(list_.pairs(), spare);
   if (!are_sorted_in_parts(size_)) return sort_found(crew);
   list_.pairs().renew(size_);
-  buckets_ = distribute_pairs(crew, found_, keys_);
+  keys_.renew(size_);
+  buckets_.emplace(crew, found_, tuning::kPartsOfDistribution);
   buckets_sorted_ = 0;
-  found_.clear();
 }
 
 bool CandidateList::sort_until(Crew& crew, double share) {
-  if (buckets_.empty()) return true;
-  const std::size_t all = buckets_.size() - 1;
-  const auto due = static_cast<std::size_t>(share * static_cast<double>(all));
-  if (due > buckets_sorted_) {
-    sort_buckets(crew, buckets_, buckets_sorted_, due - buckets_sorted_, keys_, list_.pairs());
-    buckets_sorted_ = due;
+  if (!buckets_) return true;
+  constexpr double kDistributed = tuning::kShareOfDistribution;
+  buckets_->distribute(crew, steps_due(share, 0, kDistributed, buckets_->parts()), keys_.data());
+  if (!buckets_->are_full()) return false;
+  const std::span<const std::size_t> begins = buckets_->begins();
+  const std::size_t due = steps_due(share, kDistributed, 1, begins.back());
+  const auto end = std::lower_bound(begins.begin(), begins.end(), due) - begins.begin();
+  if (const auto sorted = static_cast<std::size_t>(end); sorted > buckets_sorted_) {
+    sort_buckets(crew, begins, buckets_sorted_, sorted - buckets_sorted_, keys_, list_.pairs());
+    buckets_sorted_ = sorted;
   }
-  if (buckets_sorted_ == all) buckets_.clear();
-  return buckets_.empty();
+  if (begins[buckets_sorted_] < begins.back()) return false;
+  buckets_.reset();
+  found_.clear();
+  return true;
 }
 
 void CandidateList::replace(KeyParts found) {
-  buckets_.clear();
+  buckets_.reset();
   found_.assign(found.begin(), found.end());
   list_.forget_notes();
   size_ = count_keys(found);
@@ -170,8 +182,7 @@ void CandidateList::give_back(Crew& crew) {
 }
 
 std::size_t CandidateList::bytes() const {
-  return list_.bytes() + began_.bytes() + ended_.bytes() + keys_.bytes() +
-         buckets_.capacity() * sizeof(std::size_t);
+  return list_.bytes() + began_.bytes() + ended_.bytes() + keys_.bytes() + (buckets_ ? buckets_->bytes() : 0);
 }
 
 }  // namespace cellsweep::stream

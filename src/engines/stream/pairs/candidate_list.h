@@ -2,11 +2,13 @@
 /// The pairs of overlapping fat boxes of engine `stream`, ascending, and how they change.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/memory/array.h"
 #include "base/pairs/pair_list.h"
+#include "base/sorting/key_buckets.h"
 #include "base/sorting/pair_sort.h"
 #include "base/threads/crew.h"
 #include "cellsweep/engine/slots.h"
@@ -36,12 +38,11 @@ class CandidateList {
   /// Sorts it, if nobody asked for that yet.
   void sort_found(Crew& crew);
 
-  /// After replace(): sorts them a part at a time. begin_sort() takes a third of all that it takes, or does
-  /// all of it where they are few; then sort_until() goes on until a share, 0 to 1, of the rest is done. True
-  /// when all is. The keys may go after begin_sort(). They will be in the memory of `spare`, which gets
-  /// theirs.
+  /// After replace(): sorts them a part at a time. begin_sort() counts them, or does all of it where they are
+  /// few; then sort_until() goes on until a share, 0 to 1, of the rest is done. True when all is, and then
+  /// the keys may go. They will be in the memory of `spare`, which gets theirs.
   [[gnu::cold]] void begin_sort(Crew& crew, Array<SlotPair>& spare);
-  bool sort_until(Crew& crew, double share);
+  [[gnu::cold]] bool sort_until(Crew& crew, double share);
 
   /// Some bodies changed, those whose entry in `changed`, by slot, is not 0: their pairs are now those of
   /// `touched`, in any order, each once. Returns what began and ended by that.
@@ -60,7 +61,7 @@ class CandidateList {
 
   std::size_t size() const { return size_; }
   /// Whether pairs() has something to do.
-  bool waits() const { return !found_.empty() || !buckets_.empty() || !list_.is_up_to_date(); }
+  bool waits() const { return !found_.empty() || !list_.is_up_to_date(); }
 
   /// Gives memory back that the next call may ask for again. The keys that it was given may go.
   [[gnu::cold]] void give_back(Crew& crew);
@@ -72,8 +73,8 @@ class CandidateList {
   void list_pairs_of(Crew& crew, const std::uint8_t* changed, Array<SlotPair>& listed) const;
 
   std::vector<std::span<const std::uint64_t>> found_;  // the pairs, when they have not been sorted yet
-  std::vector<std::size_t> buckets_;  // where those of keys_ begin, while these are being sorted,
-  std::size_t buckets_sorted_ = 0;    // and so many of them are
+  std::optional<KeyBuckets> buckets_;                  // of keys_, while these are being sorted,
+  std::size_t buckets_sorted_ = 0;                     // and so many of them are
   PairList<SlotPair> list_;
   Array<SlotPair> began_;
   Array<SlotPair> ended_;
