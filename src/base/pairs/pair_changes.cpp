@@ -1,6 +1,7 @@
 #include "base/pairs/pair_changes.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "base/pairs/pair_of.h"
 #include "base/tuning.h"
@@ -12,7 +13,9 @@ namespace {
 template <class AnyPair>
 class RunCopy {
  public:
-  RunCopy(std::span<const AnyPair> from, AnyPair* to) : from_(from), to_(to) {}
+  /// There is room for so many.
+  RunCopy(std::span<const AnyPair> from, AnyPair* to, std::size_t room)
+      : from_(from), to_(to), end_(to + room) {}
 
   /// All that is below the key.
   void until(std::uint64_t key) {
@@ -24,6 +27,7 @@ class RunCopy {
       ++blocks;
     }
     if (blocks == tuning::kCopies) copy_far(key);
+    if (from_.size() >= tuning::kCopied && room() >= tuning::kCopied) return copy_some(key);
     while (!from_.empty() && pair_key(from_[0]) < key) copy(1);
   }
   /// Whether it was there.
@@ -47,6 +51,17 @@ class RunCopy {
     from_ = from_.subspan(count);
   }
 
+  // Of the next few those below the key, which are not all: how many no branch tells.
+  void copy_some(std::uint64_t key) {
+    std::size_t below = 0;
+    for (std::size_t i = 0; i < tuning::kCopied; ++i) below += pair_key(from_[i]) < key ? 1U : 0U;
+    std::copy_n(from_.data(), tuning::kCopied, to_);
+    to_ += below;
+    from_ = from_.subspan(below);
+  }
+
+  std::size_t room() const { return static_cast<std::size_t>(end_ - to_); }
+
   // Looks nearby first.
   void copy_far(std::uint64_t key) {
     std::size_t step = 1;
@@ -59,13 +74,14 @@ class RunCopy {
 
   std::span<const AnyPair> from_;
   AnyPair* to_;
+  AnyPair* end_;
 };
 
 /// Returns the end of what it wrote.
 template <class AnyPair>
 AnyPair* write_changed(std::span<const AnyPair> old, std::span<const AnyPair> began,
                        std::span<const AnyPair> ended, AnyPair* to) {
-  RunCopy copy(old, to);
+  RunCopy copy(old, to, old.size() + began.size() - ended.size());
   while (!began.empty() || !ended.empty()) {
     // A pair that is in both lists ended with one body and began with another of the same number.
     const bool is_end = began.empty() || (!ended.empty() && pair_key(ended[0]) <= pair_key(began[0]));
@@ -90,28 +106,49 @@ struct Start {
   std::size_t ended = 0;
 };
 
-/// Whether the next four of two lists are there and alike.
+/// To tell whether two are the same: in one number, and not in their order.
 template <class AnyPair>
-bool are_four_alike(std::span<const AnyPair> one, std::size_t i, std::span<const AnyPair> other,
-                    std::size_t j) {
-  if (i + 4 > one.size() || j + 4 > other.size()) return false;
-  std::uint64_t differ = 0;
-  for (std::size_t k = 0; k < 4; ++k) differ |= pair_key(one[i + k]) ^ pair_key(other[j + k]);
-  return differ == 0;
+std::uint64_t bits_of(const AnyPair& pair) {
+  return std::bit_cast<std::uint64_t>(pair);
+}
+
+/// How many of the next four of two lists are alike, before one that is not: no branch tells.
+template <class AnyPair>
+std::size_t alike_of_four(const AnyPair* one, const AnyPair* other) {
+  std::size_t count = 0;
+  std::size_t still = 1;
+  for (std::size_t k = 0; k < 4; ++k) {
+    still &= bits_of(one[k]) == bits_of(other[k]) ? 1U : 0U;
+    count += still;
+  }
+  return count;
 }
 
 }  // namespace
 
-// Lists that differ in few places are compared four pairs at a time between them. Where they differ nobody
-// can foretell: there is no branch on it otherwise.
+// Four pairs at a time. Of two that are not alike the lesser one is in its list alone: which one that is
+// nobody can foretell, and no branch depends on it.
 template <class AnyPair>
 ChangeRoom<AnyPair> write_changes(std::span<const AnyPair> old, std::span<const AnyPair> now,
                                   std::span<const std::uint32_t> gone, ChangeRoom<AnyPair> room) {
-  auto [began, ended] = room;
   const auto is_gone = [&](std::uint32_t number) {
     return std::binary_search(gone.begin(), gone.end(), number);
   };
+  auto [began, ended] = room;
   std::size_t i = 0, j = 0;
+  while (gone.empty() && i + 4 <= old.size() && j + 4 <= now.size()) {
+    const std::size_t alike = alike_of_four(&old[i], &now[j]);
+    i += alike;
+    j += alike;
+    if (alike == 4) continue;
+    const std::size_t is_end = pair_key(old[i]) < pair_key(now[j]) ? 1 : 0;
+    *ended = old[i];
+    *began = now[j];
+    ended += is_end;
+    i += is_end;
+    began += is_end ^ 1;
+    j += is_end ^ 1;
+  }
   while (i < old.size() && j < now.size()) {
     const std::uint64_t before = pair_key(old[i]);
     const std::uint64_t after = pair_key(now[j]);
@@ -122,8 +159,6 @@ ChangeRoom<AnyPair> write_changes(std::span<const AnyPair> old, std::span<const 
     began += after < before || other ? 1 : 0;
     i += before <= after ? 1 : 0;
     j += after <= before ? 1 : 0;
-    if (before != after || !gone.empty()) continue;
-    while (are_four_alike(old, i, now, j)) i += 4, j += 4;
   }
   ended = std::copy(old.begin() + static_cast<std::ptrdiff_t>(i), old.end(), ended);
   began = std::copy(now.begin() + static_cast<std::ptrdiff_t>(j), now.end(), began);
@@ -188,7 +223,7 @@ bool AlternatingMerge<AnyPair>::go_on(std::size_t steps) {
   const bool is_last = part.size() == old_.size();
   const std::uint64_t end = is_last ? 0 : pair_key(old_[part.size()]);
   const auto is_in_part = [&](std::size_t i) { return i < keys_.size() && (is_last || keys_[i] < end); };
-  RunCopy copy(part, to_);
+  RunCopy copy(part, to_, old_.size() + keys_.size());
   std::size_t i = 0;
   for (; i < steps && is_in_part(i); ++i) {
     if (i + 1 < keys_.size() && keys_[i + 1] == keys_[i]) {

@@ -12,24 +12,10 @@ namespace {
 
 /// Leaves out of two ascending lists what is in both.
 void cancel_equal(Array<SlotPair>& one, Array<SlotPair>& other) {
-  std::size_t i = 0, j = 0, i_kept = 0, j_kept = 0;
-  SlotPair* a = one.data();
-  SlotPair* b = other.data();
-  while (i < one.size() && j < other.size()) {
-    const std::uint64_t key_a = pair_key(a[i]);
-    const std::uint64_t key_b = pair_key(b[j]);
-    if (key_a == key_b) {
-      ++i, ++j;
-    } else if (key_a < key_b) {
-      a[i_kept++] = a[i++];
-    } else {
-      b[j_kept++] = b[j++];
-    }
-  }
-  while (i < one.size()) a[i_kept++] = a[i++];
-  while (j < other.size()) b[j_kept++] = b[j++];
-  one.shrink(i_kept);
-  other.shrink(j_kept);
+  const auto [one_end, other_end] =
+      write_changes<SlotPair>(other.view(), one.view(), {}, {one.data(), other.data()});
+  one.shrink(static_cast<std::size_t>(one_end - one.data()));
+  other.shrink(static_cast<std::size_t>(other_end - other.data()));
 }
 
 /// Writes the pairs of changed slots to a list and returns its end. Which these are nobody can foretell, but
