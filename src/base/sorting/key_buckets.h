@@ -13,7 +13,8 @@
 
 namespace cellsweep {
 
-/// The first bodies of a bucket are above those of the one before. In a bucket keys stand as they were found.
+/// The first bodies of a bucket are above those of the one before. The order in a bucket follows from the
+/// parts, whoever works.
 class KeyBuckets {
  public:
   /// Counts the keys, which stay where they are until all are distributed. That is done in so many parts, and
