@@ -21,7 +21,6 @@ void RebuildPace::begin(std::uint32_t parts, double seconds) {
     due_[part] = sum += time_for_part(longest, besides_[parts - part], most);
   for (std::uint32_t part = 1; part <= parts; ++part)
     due_[part] = sum > 0 ? due_[part] / sum : static_cast<double>(part) / parts;
-  due_[parts] = 1;
 }
 
 // Of all parts together, which take so many seconds, the longer the longer an update may be.
@@ -42,6 +41,7 @@ double RebuildPace::longest_update(double seconds, double most) const {
 
 // Half of what is known is new.
 void RebuildPace::note(std::uint32_t part, double seconds) {
+  if (part > parts_) return;
   double& besides = besides_[parts_ - part];
   besides = besides > 0 ? (besides + seconds) / 2 : seconds;
 }

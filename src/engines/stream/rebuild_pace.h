@@ -22,8 +22,9 @@ class RebuildPace {
   /// 0: nobody knows.
   [[gnu::cold]] void begin(std::uint32_t parts, double seconds);
 
-  /// How much of it is due with a part, the first of which is 1: 0 to 1, and 1 with the last one.
-  double due(std::uint32_t part) const { return due_[part]; }
+  /// How much of it is due with a part, the first of which is 1: 0 to 1, and 1 with the last one and behind
+  /// it.
+  double due(std::uint32_t part) const { return part < parts_ ? due_[part] : 1; }
 
   /// The update with that part took so many seconds besides.
   void note(std::uint32_t part, double seconds);

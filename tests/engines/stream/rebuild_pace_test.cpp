@@ -52,6 +52,16 @@ TEST(RebuildPace, LeavesAnUpdateThatIsLongByItselfWithoutAPart) {
   EXPECT_NEAR(parts[0], 10, 1e-3);
 }
 
+TEST(RebuildPace, HasAllDueInAnUpdateThatComesTooLate) {
+  RebuildPace pace;
+  const Times parts = parts_of(pace, {10, 10, 10, 10, 10}, 50);
+  for (const std::uint32_t late : {6U, 7U, 100U}) {
+    EXPECT_EQ(pace.due(late), 1);
+    pace.note(late, 1e6);
+  }
+  EXPECT_EQ(parts_of(pace, {10, 10, 10, 10, 10}, 50), parts);
+}
+
 TEST(RebuildPace, FollowsWhatUpdatesTake) {
   RebuildPace pace;
   parts_of(pace, {100, 10, 10, 10, 10}, 50);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -44,6 +45,34 @@ TEST_P(RebuildTest, IsDoneAPartAtATimeWhileAllKeepTheirCourse) {
     }
     courses.go_on();
   }
+  EXPECT_LE(counter(engine, "full updates"), 4U) << "bodies that have just begun to move";
+}
+
+// The bodies are in the first corner of their world: none is in the last one.
+TEST_P(RebuildTest, IsDoneInTimeWhereTheLastCellsAreEmpty) {
+  constexpr std::size_t kMany = 18'000;
+  Courses courses(kMany, 9);
+  const float edge = 2 * std::cbrt(static_cast<float>(kMany));
+  std::vector<Aabb> boxes;
+  for (const Aabb& box : courses.boxes()) {
+    if (box.min[0] + box.min[1] + box.min[2] < edge) boxes.push_back(box);
+  }
+  std::vector<std::array<float, 3>> steps(boxes.size());
+  for (auto& step : steps) {
+    for (float& on_axis : step) on_axis = courses.random().between(-0.04F, 0.04F);
+  }
+  Broadphase engine = engine_with(boxes, {.threads = GetParam(), .margin = 1e-6F});
+  for (int frame = 0; frame < 60; ++frame) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        boxes[i].min[axis] += steps[i][axis];
+        boxes[i].max[axis] += steps[i][axis];
+      }
+    }
+    move_every(engine, boxes, 1);
+    ASSERT_TRUE(engine.update().ok());
+  }
+  EXPECT_TRUE(is_exact(engine, boxes));
   EXPECT_LE(counter(engine, "full updates"), 4U) << "bodies that have just begun to move";
 }
 

@@ -92,7 +92,9 @@ void CellTree::fill_cells(const Boxes& boxes) {
 std::uint64_t CellTree::go_on(std::uint64_t boxes) {
   const std::uint32_t first = cells_built_;
   std::uint64_t sum = 0;
-  while (!is_built() && sum < boxes) sum += placement_.cells[cells_built_++].count;
+  // And those without boxes behind them: when all boxes are in cells the tree is built.
+  while (!is_built() && (sum < boxes || placement_.cells[cells_built_].count == 0))
+    sum += placement_.cells[cells_built_++].count;
   builder().finish(placement_, first, cells_built_, root_);
   if (is_built()) list_found();
   return sum;
