@@ -376,7 +376,7 @@ inline constexpr std::size_t kOneStep = 32768;
 /// 500,000 keys.
 inline constexpr std::size_t kOneStepAlone = 262144;
 /// Where that is done a part at a time they are filled in so many parts, which takes this share of what it
-/// takes to fill them and then to sort them. Xeon, wall 100,000.
+/// takes to fill them and then to sort them. Chosen, not measured.
 inline constexpr std::size_t kPartsOfDistribution = kMostWorkers;
 inline constexpr double kShareOfDistribution = 0.4;
 /// A bucket has at least so many first numbers.

@@ -51,7 +51,7 @@ class RunCopy {
     from_ = from_.subspan(count);
   }
 
-  // Of the next few those below the key, which are not all: how many no branch tells.
+  // Of the next few those below the key, behind which no more are: no branch depends on how many.
   void copy_some(std::uint64_t key) {
     std::size_t below = 0;
     for (std::size_t i = 0; i < tuning::kCopied; ++i) below += pair_key(from_[i]) < key ? 1U : 0U;

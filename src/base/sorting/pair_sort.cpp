@@ -27,11 +27,6 @@ struct Range {
     low = std::min(low, number);
     high = std::max(high, number);
   }
-  void include(const Range& other) {
-    low = std::min(low, other.low);
-    high = std::max(high, other.high);
-  }
-  std::uint64_t size() const { return std::uint64_t{high} - low + 1; }
   unsigned bits() const { return static_cast<unsigned>(std::bit_width(high - low)); }
 };
 

@@ -14,6 +14,7 @@ bool may_prepare(const BodyChanges& changes) {
 
 }  // namespace
 
+// What is prepared before its time is of no use: bodies are not in their next fat boxes yet.
 bool Rebuild::begin_update(const BodyChanges& changes) {
   started_ = Cost::Clock::now();
   ++age_;

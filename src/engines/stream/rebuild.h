@@ -19,7 +19,7 @@
 namespace cellsweep::stream {
 
 /// Fat boxes last for some updates. In the meantime the next ones, for where bodies will be by then, their
-/// cells and their candidates are prepared, an equal part in each update; then they are put in the place of
+/// cells and their candidates are prepared, a part in each update; then they are put in the place of
 /// those that there are. That is done as long as nobody comes or goes and most bodies move; where it is not,
 /// or is not done in time, everything is found anew at once when that is cheaper.
 class Rebuild {
