@@ -11,18 +11,19 @@
 
 namespace cellsweep::queries {
 
-/// Beyond this kernels cut squares off.
+/// Larger ones may be none in floats.
 inline constexpr double kLargestSquare = 1e37;
 
-/// A square of a distance that is no less.
+/// NearNumbers::most. Kernels compute squares in floats, off by less than 2^-21 of them, or, of tiny ones, by
+/// less than 1e-37.
 inline float square_above(double distance) {
   const double square = distance * distance;
   return square > kLargestSquare ? std::numeric_limits<float>::infinity()
-                                 : static_cast<float>(square * (1 + 0x1p-20)) + 1e-37F;
+                                 : static_cast<float>(square * (1 + 0x1p-18)) + 1e-37F;
 }
 
-/// NearNumbers::certain. The number for a square is less than that by no more than 2^-18 of it, and what
-/// floats cut off at their lower end counts for nothing where the distance is not tiny.
+/// NearNumbers::certain. What floats cut off at their lower end counts for nothing where the distance is not
+/// tiny.
 inline float certain_square(double distance) {
   constexpr double kTiny = 1e-30;
   const double square = std::min(distance * distance, kLargestSquare);

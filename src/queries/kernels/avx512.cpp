@@ -21,6 +21,7 @@ struct Avx512QueryLanes : LanesInOrder<16> {
                                             13, 14, 15);
     }
   }
+  static Vector not_negative(Vector a) { return _mm512_maskz_max_ps(0xffff, a, _mm512_setzero_ps()); }
   static Mask less_equal(Vector a, Vector b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ); }
   static std::uint32_t bits(Mask mask) { return mask; }
 };

@@ -42,12 +42,11 @@ struct BoxRow {
 /// float, so is the time that it takes. Which way it goes is known beforehand: nobody could foretell a branch
 /// at each box. By axis; a fourth lane means nothing.
 struct CastNumbers {
-  std::int32_t near[4];  ///< the face of boxes that it comes to first: TreeNode::faces
+  std::int32_t near[4];  ///< the face of boxes that it comes to first: of TreeNode::faces, in bytes
   std::int32_t far[4];   ///< and the one at which it leaves them
   float front[4];        ///< its own side that comes to the first face; `high` on an axis that is flat
   float back[4];         ///< its own side that leaves a box at the other one; or `low`
-  float inverse[4];      ///< of the direction; infinite on an axis that is flat
-  float sooner[4];       ///< that, a little smaller
+  float sooner[4];       ///< less the inverse of the direction, made a little smaller; infinite where flat
   float later[4];        ///< and larger
   float end;
   float certain_end;    ///< not after the end, as `end` is not before it
@@ -62,8 +61,8 @@ struct CastNumbers {
 struct NearNumbers {
   float min[3];
   float max[3];
-  float most;
-  float certain;   ///< a number for a square that is no more than this belongs to a distance that is less
+  float most;      ///< a number for a square that is more belongs to a distance that is more
+  float certain;   ///< one that is no more than this belongs to a distance that is less
   bool wants_one;  ///< and no other body, however many are as near
 };
 
@@ -122,8 +121,8 @@ struct QueryKernels {
   /// Boxes that a path touches.
   std::uint32_t (*cast)(const BoxRow& row, const CastNumbers& path, std::uint32_t* places);
 
-  /// Boxes that are near enough. Above the place stand the bits of a number no larger than the square of the
-  /// distance: keys ascend as these do.
+  /// Boxes that are near enough. Above the place stand the bits of a float for the square of the distance,
+  /// off by up to 2^-21 of it: keys ascend as these do.
   std::uint32_t (*near)(const BoxRow& row, const NearNumbers& question, std::uint64_t* keys);
 
   /// How far boxes by slot are from one: distance_of() of each. Behind the last distance there is room for

@@ -5,10 +5,10 @@
 /// As in the kernels of engine `stream`, whatever these call has internal linkage and nothing of it is the
 /// standard library's: engines/stream/kernels/body.h says why.
 ///
-/// Rounding: an operation is off by 2^-24 of its result, and at most six follow each other, so what is
-/// compared is made smaller or larger by 2^-19 of itself (kSmaller, kLarger). That a number overflows, or is
-/// too small for a normal one, must make no box be missed either: what is too large is taken to be kLargest,
-/// and kSmallest is added.
+/// Rounding: an operation is off by 2^-24 of its result, and at most six follow each other, so a path's times
+/// are made smaller or larger by 2^-19 of themselves (kSmaller, kLarger). That a number overflows, or is too
+/// small for a normal one, must make no box be missed either: what is too large is taken to be kLargest, and
+/// kSmallest is added. Squares of distances are compared with numbers that allow for all that.
 #pragma once
 
 #include "cellsweep/engine/cell_boxes.h"
@@ -28,7 +28,8 @@ VectorOf<Lanes> all(float value) {
   return value - VectorOf<Lanes>{};
 }
 
-// Where an operand is NaN, the second one is the result.
+// Where an operand is NaN, the second one is the result. Where that is 0, GCC makes a comparison and a choice
+// of it, for which there is Lanes::not_negative().
 template <class Vector>
 Vector larger(Vector a, Vector b) {
   return a > b ? a : b;
@@ -93,7 +94,7 @@ struct CastLanes {
       const bool goes_up = path.near[axis] < path.far[axis];
       from_min[axis] = all<Lanes>(goes_up ? path.front[axis] : path.back[axis]);
       from_max[axis] = all<Lanes>(goes_up ? path.back[axis] : path.front[axis]);
-      inverse[axis] = all<Lanes>(path.inverse[axis]);
+      inverse[axis] = all<Lanes>(-path.sooner[axis]);
       if (!kFlat) continue;
       wide[axis] = all<Lanes>(path.wide[axis]);
       low[axis] = all<Lanes>(path.low[axis]);
@@ -122,7 +123,8 @@ struct CastLanes {
       leave = smaller(last, leave);
     }
     enter = smaller(enter, all<Lanes>(kLargest)) * kSmaller;
-    return Lanes::bits(meets & Lanes::less_equal(enter, leave * kLarger + kSmallest));
+    constexpr float kLater = kLarger * kLarger;  // the inverses are too small already
+    return Lanes::bits(meets & Lanes::less_equal(enter, leave * kLater + kSmallest));
   }
 };
 
@@ -151,16 +153,15 @@ struct NearLanes {
     }
   }
 
-  /// A bit for each lane whose box is near enough, and no more than the square of its distance.
+  /// A bit for each lane whose box may be near enough, and the square of its distance.
   std::uint32_t test(const VectorOf<Lanes> (&faces)[6], VectorOf<Lanes>& square) const {
     using Vector = VectorOf<Lanes>;
-    square = Vector{};
-    for (unsigned axis = 0; axis < 3; ++axis) {
+    const auto square_on = [&](unsigned axis) {
       const Vector gap = larger(faces[axis] - max[axis], min[axis] - faces[axis + 3]);
-      const Vector there = larger(gap, Vector{});
-      square = square + there * there;
-    }
-    square = smaller(square, all<Lanes>(kLargest)) * kSmaller;
+      const Vector there = Lanes::not_negative(gap);
+      return there * there;
+    };
+    square = square_on(0) + square_on(1) + square_on(2);
     return Lanes::bits(Lanes::less_equal(faces[0], faces[3]) & Lanes::less_equal(square, most));
   }
 };

@@ -33,6 +33,8 @@ struct Avx2QueryLanes : LanesInOrder<8> {
   }
   static Doubles doubles(__m128 floats, unsigned) { return _mm256_cvtps_pd(floats); }
   static Doubles roots(Doubles squares) { return _mm256_sqrt_pd(squares); }
+  /// 0 in the place of what is less, and of NaN.
+  static Vector not_negative(Vector a) { return _mm256_max_ps(a, _mm256_setzero_ps()); }
   static Mask less_equal(Vector a, Vector b) { return _mm256_castps_si256(_mm256_cmp_ps(a, b, _CMP_LE_OQ)); }
   static std::uint32_t bits(Mask mask) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(mask)));

@@ -30,6 +30,7 @@ struct PortableQueryLanes : LanesInOrder<4> {
   static Doubles roots(Doubles squares) {
     return Doubles{__builtin_sqrt(squares[0]), __builtin_sqrt(squares[1])};
   }
+  static Vector not_negative(Vector a) { return larger(a, Vector{}); }
   static Mask less_equal(Vector a, Vector b) { return a <= b; }
   static std::uint32_t bits(Mask mask) {
     std::uint32_t bits = 0;

@@ -12,6 +12,7 @@ namespace cellsweep::queries {
 /// line of the cache.
 struct alignas(64) TreeNode {
   static constexpr unsigned kBoxes = 16;
+  static constexpr unsigned kFaceBytes = kBoxes * sizeof(float);
 
   float faces[6][kBoxes];         ///< minima by axis, then maxima; NaN where there is no box
   std::uint32_t content[kBoxes];  ///< a body's slot, or a node's place in the tree

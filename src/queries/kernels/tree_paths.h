@@ -2,6 +2,9 @@
 /// Walks through a tree of boxes along a path.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "queries/kernels/kernel.h"
 #include "queries/kernels/lanes.h"
 #include "queries/kernels/tree_walk.h"
@@ -9,26 +12,27 @@
 namespace cellsweep::queries {
 namespace {
 
-/// What a path has on an axis, in all lanes.
+/// What a path has on an axis, in all lanes. Gaps and inverses are negated, which changes no time: a face is
+/// subtracted from a number, and so read by the instruction that needs it.
 template <class Lanes>
 struct AxisAtNode {
   using Vector = VectorOf<Lanes>;
 
   AxisAtNode(const CastNumbers& path, unsigned axis)
-      : near(path.near[axis]),
-        far(path.far[axis]),
+      : near(static_cast<std::uint32_t>(path.near[axis])),
+        far(static_cast<std::uint32_t>(path.far[axis])),
         front(all<Lanes>(path.front[axis])),
         back(all<Lanes>(path.back[axis])),
         sooner(all<Lanes>(path.sooner[axis])),
         later(all<Lanes>(path.later[axis])) {}
 
-  static Vector face(const TreeNode& node, std::int32_t number, unsigned place) {
-    return load<Lanes>(node.faces[number] + place);
+  static Vector face(const std::byte* faces, std::size_t number) {
+    return load<Lanes>(reinterpret_cast<const float*>(faces + number));
   }
-  Vector before(const TreeNode& node, unsigned place) const { return face(node, near, place) - front; }
-  Vector behind(const TreeNode& node, unsigned place) const { return face(node, far, place) - back; }
+  Vector before(const std::byte* faces) const { return front - face(faces, near); }
+  Vector behind(const std::byte* faces) const { return back - face(faces, far); }
 
-  std::int32_t near, far;
+  std::size_t near, far;
   Vector front, back, sooner, later;
 };
 
@@ -51,11 +55,11 @@ class CastAtNode {
   /// A bit for each box of the node that the path may touch, and when it does at the earliest. What is said
   /// of places where there is no box means nothing.
   std::uint32_t test(const TreeNode& node, float (&enter)[TreeNode::kBoxes]) const {
-    return test_each([&](unsigned place) {
-      const Vector enters = first(x_.before(node, place) * x_.sooner, y_.before(node, place) * y_.sooner,
-                                  z_.before(node, place) * z_.sooner);
-      const Vector leaves = last(x_.behind(node, place) * x_.later, y_.behind(node, place) * y_.later,
-                                 z_.behind(node, place) * z_.later, end_);
+    return test_each(node, [&](const std::byte* faces, unsigned place) {
+      const Vector enters =
+          first(x_.before(faces) * x_.sooner, y_.before(faces) * y_.sooner, z_.before(faces) * z_.sooner);
+      const Vector leaves =
+          last(x_.behind(faces) * x_.later, y_.behind(faces) * y_.later, z_.behind(faces) * z_.later, end_);
       __builtin_memcpy(enter + place, &enters, sizeof(enters));
       return Lanes::bits(Lanes::less_equal(enters, leaves));
     });
@@ -64,22 +68,27 @@ class CastAtNode {
   /// Whether the path touches one of these for certain, which test() found. Only where its numbers tell.
   bool is_certain(const TreeNode& node, std::uint32_t bodies) const {
     // Numbers that are too small for a normal one may come out as the same: less, not less or equal.
-    const std::uint32_t others = test_each([&](unsigned place) {
-      const Vector enters = surely_first(x_.before(node, place) * x_.later, y_.before(node, place) * y_.later,
-                                         z_.before(node, place) * z_.later);
-      const Vector leaves =
-          surely_last(x_.behind(node, place) * x_.sooner, y_.behind(node, place) * y_.sooner,
-                      z_.behind(node, place) * z_.sooner, certain_end_);
+    const std::uint32_t others = test_each(node, [&](const std::byte* faces, unsigned) {
+      const Vector enters =
+          surely_first(x_.before(faces) * x_.later, y_.before(faces) * y_.later, z_.before(faces) * z_.later);
+      const Vector leaves = surely_last(x_.behind(faces) * x_.sooner, y_.behind(faces) * y_.sooner,
+                                        z_.behind(faces) * z_.sooner, certain_end_);
       return Lanes::bits(Lanes::less_equal(leaves, enters));
     });
     return without(bodies, others & bodies) != 0;
   }
 
  private:
+  /// `test(faces, place)` of each vector of boxes: their faces, and the place of the first one.
   template <class Test>
-  static std::uint32_t test_each(const Test& test) {
+  static std::uint32_t test_each(const TreeNode& node, const Test& test) {
     std::uint32_t bits = 0;
-    for (unsigned first = 0; first < TreeNode::kBoxes; first += Lanes::kCount) bits |= test(first) << first;
+    for (unsigned place = 0; place < TreeNode::kBoxes; place += Lanes::kCount) {
+      const auto* faces = reinterpret_cast<const std::byte*>(&node.faces[0][place]);
+      // Else GCC would keep the sums of `place` and of where each face is, in more registers than there are.
+      __asm__("" : "+r"(faces));
+      bits |= test(faces, place) << place;
+    }
     return bits;
   }
 
@@ -88,13 +97,13 @@ class CastAtNode {
   // leaves comes out so. Axes two by two, of which none waits for another one. NaN, of a side that a path
   // grazes which stays on that axis, counts for nothing, and on the second of two the first one with it: that
   // is no bound, and no box is missed.
-  static Vector first(Vector x, Vector y, Vector z) { return larger(larger(x, y), larger(z, Vector{})); }
+  static Vector first(Vector x, Vector y, Vector z) { return larger(larger(x, y), Lanes::not_negative(z)); }
   static Vector last(Vector x, Vector y, Vector z, Vector end) {
     return smaller(smaller(x, y), smaller(z, end));
   }
   // The same where each bound counts.
   static Vector surely_first(Vector x, Vector y, Vector z) {
-    return larger(x, larger(y, larger(z, Vector{})));
+    return larger(x, larger(y, Lanes::not_negative(z)));
   }
   static Vector surely_last(Vector x, Vector y, Vector z, Vector end) {
     return smaller(z, smaller(y, smaller(x, end)));

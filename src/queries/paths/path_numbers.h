@@ -49,6 +49,7 @@ class PathNumbers {
  private:
   static constexpr double kFarthest = 1e38;
   static constexpr double kAbove = 1 + 0x1p-22;
+  static constexpr std::int32_t kFace = TreeNode::kFaceBytes;
   static constexpr float kInfinity = std::numeric_limits<float>::infinity();
   /// The least component of a scaled direction along which a path moves.
   static constexpr float kLeast = 0x1p-60F;
@@ -103,17 +104,17 @@ class PathNumbers {
   void set_axes(const BoxLanes& box, Float4 direction, float scale) {
     // Not a comparison, which compilers would follow by choices between numbers: these take more operations.
     const Int4 goes_down = reinterpret_cast<Int4>(direction) >> 31;
-    const Int4 to_maxima = goes_down & 3;
+    const Int4 to_maxima = goes_down & 3 * kFace;
     const auto min = reinterpret_cast<Int4>(canonical(box.min));
     const auto max = reinterpret_cast<Int4>(canonical(box.max));
     const Int4 swap = (min ^ max) & goes_down;
-    store4(Int4{0, 1, 2, 2} + to_maxima, numbers_.near);
-    store4(Int4{3, 4, 5, 5} - to_maxima, numbers_.far);
+    store4(Int4{0, 1, 2, 2} * kFace + to_maxima, numbers_.near);
+    store4(Int4{3, 4, 5, 5} * kFace - to_maxima, numbers_.far);
     store4(reinterpret_cast<Float4>(max ^ swap), numbers_.front);
     store4(reinterpret_cast<Float4>(min ^ swap), numbers_.back);
-    store4(kSmaller * scale / direction, numbers_.sooner);
-    store4(kLarger * scale / direction, numbers_.later);
-    store4(scale / direction, numbers_.inverse);
+    const Float4 sooner = -kSmaller * scale / direction;
+    store4(sooner, numbers_.sooner);
+    store4(sooner * (kLarger * kLarger), numbers_.later);
   }
 
   void set_flat(const Path& path, const BoxLanes& box, Int4 flat) {
@@ -133,10 +134,10 @@ class PathNumbers {
     const double way = path.direction[axis] * path.end;
     const float low = canonical(path.box.min[axis]);
     const float high = canonical(path.box.max[axis]);
-    const auto minima = static_cast<std::int32_t>(axis);
+    const auto minima = static_cast<std::int32_t>(axis) * kFace;
     numbers_.near[axis] = minima;
-    numbers_.far[axis] = minima + 3;
-    numbers_.inverse[axis] = numbers_.sooner[axis] = numbers_.later[axis] = kInfinity;
+    numbers_.far[axis] = minima + 3 * kFace;
+    numbers_.sooner[axis] = numbers_.later[axis] = -kInfinity;
     numbers_.can_be_certain = false;
     numbers_.wide[axis] = kInfinity;
     numbers_.back[axis] = numbers_.low[axis] = way == 0 ? low : below(reach(low, way < 0 ? way : -0.0));
