@@ -30,27 +30,44 @@ TreeChanger::Visit TreeChanger::first_visit(const FatBoxChange& change, std::siz
           change.is ? kWhole : std::uint8_t{0}};
 }
 
+TreeChanger::Blocks TreeChanger::blocks_of(const Visit& visit, const Grid& grid) const {
+  const FatBoxChange& change = changes_[visit.change];
+  return {visit.old_flags != 0 ? grid.block_of(change.old_box) : CellBlock{},
+          visit.new_flags != 0 ? grid.block_of(change.new_box) : CellBlock{}};
+}
+
+// Comes, goes, or stays in the same cells.
+bool TreeChanger::is_of_one_block(const Visit& visit, const Blocks& blocks) {
+  return visit.old_flags == 0 || visit.new_flags == 0 || blocks.was == blocks.is;
+}
+
+void TreeChanger::count_visits(const Visit& visit, const Blocks& blocks, const Grid& grid,
+                               std::uint32_t* counts) {
+  const auto count = [&](const CellBlock& block) {
+    grid.for_each_cell(block, [&](std::uint32_t cell, std::uint32_t) { ++counts[cell]; });
+  };
+  count(visit.old_flags != 0 ? blocks.was : blocks.is);
+  if (!is_of_one_block(visit, blocks)) count(blocks.is);
+}
+
 // Visits of the cells inside: of those it was in first, and then of those it is in now, unless they are the
 // same.
 template <class Emit>
-void TreeChanger::for_each_visit(const Visit& visit, const Grid& grid, Emit&& emit) const {
-  const FatBoxChange& change = changes_[visit.change];
+void TreeChanger::for_each_visit(const Visit& visit, const Blocks& blocks, const Grid& grid, Emit&& emit) {
   const auto within = [](std::uint8_t flags, std::uint32_t inner) {
     return flags == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(flags & (kThere | inner));
   };
-  const CellBlock old_block = visit.old_flags != 0 ? grid.block_of(change.old_box) : CellBlock{};
-  const CellBlock new_block = visit.new_flags != 0 ? grid.block_of(change.new_box) : CellBlock{};
-  if (visit.old_flags == 0 || visit.new_flags == 0 || old_block == new_block) {
+  if (is_of_one_block(visit, blocks)) {
     grid.for_each_cell(
-        visit.old_flags != 0 ? old_block : new_block, [&](std::uint32_t cell, std::uint32_t inner) {
+        visit.old_flags != 0 ? blocks.was : blocks.is, [&](std::uint32_t cell, std::uint32_t inner) {
           emit(cell, Visit{visit.change, within(visit.old_flags, inner), within(visit.new_flags, inner)});
         });
     return;
   }
-  grid.for_each_cell(old_block, [&](std::uint32_t cell, std::uint32_t inner) {
+  grid.for_each_cell(blocks.was, [&](std::uint32_t cell, std::uint32_t inner) {
     emit(cell, Visit{visit.change, within(visit.old_flags, inner), 0});
   });
-  grid.for_each_cell(new_block, [&](std::uint32_t cell, std::uint32_t inner) {
+  grid.for_each_cell(blocks.is, [&](std::uint32_t cell, std::uint32_t inner) {
     emit(cell, Visit{visit.change, 0, within(visit.new_flags, inner)});
   });
 }
@@ -62,16 +79,18 @@ void TreeChanger::change(std::span<const FatBoxChange> changes, Node& root) {
   Arena& scratch = scratches_[0]->job;
   auto* places = scratch.take<std::uint32_t>(std::size_t{workers} * cells);
   auto* first = scratch.take<std::uint32_t>(std::size_t{cells} + 1);
+  auto* blocks = scratch.take<Blocks>(changes.size());
   std::fill_n(places, std::size_t{workers} * cells, 0);
-  const auto for_share = [&](unsigned worker, auto&& emit) {
+  const auto for_share = [&](unsigned worker, auto&& visit) {
     const Share share = Share::of(changes.size(), worker, workers);
-    for (std::size_t i = share.first; i < share.last; ++i) {
-      for_each_visit(first_visit(changes[i], i), root.grid, emit);
-    }
+    for (std::size_t i = share.first; i < share.last; ++i) visit(first_visit(changes[i], i), blocks[i]);
   };
   crew_.run([&](unsigned worker) {
     std::uint32_t* counts = places + std::size_t{worker} * cells;
-    for_share(worker, [&](std::uint32_t cell, const Visit&) { ++counts[cell]; });
+    for_share(worker, [&](const Visit& visit, Blocks& there) {
+      there = blocks_of(visit, root.grid);
+      count_visits(visit, there, root.grid, counts);
+    });
   });
   check_visits(std::accumulate(places, places + std::size_t{workers} * cells, std::uint64_t{0}),
                *scratches_[0]);
@@ -89,7 +108,10 @@ void TreeChanger::change(std::span<const FatBoxChange> changes, Node& root) {
   auto* visits = scratch.take<Visit>(prefix_sum);
   crew_.run([&](unsigned worker) {
     std::uint32_t* place = places + std::size_t{worker} * cells;
-    for_share(worker, [&](std::uint32_t cell, const Visit& visit) { visits[place[cell]++] = visit; });
+    for_share(worker, [&](const Visit& visit, const Blocks& there) {
+      for_each_visit(visit, there, root.grid,
+                     [&](std::uint32_t cell, const Visit& inside) { visits[place[cell]++] = inside; });
+    });
   });
   crew_.for_each(cells, 8, [&](unsigned worker, std::size_t cell) {
     const std::span<Visit> here(visits + first[cell], first[cell + 1] - first[cell]);
@@ -99,13 +121,14 @@ void TreeChanger::change(std::span<const FatBoxChange> changes, Node& root) {
 
 // Says how many cells one body visits, and lists them unless the list is null. By a reference to a function,
 // for the size of programs: the ways through a grid, with what is done at each place in them, would be 12 KB.
-std::size_t TreeChanger::list_cells(const FatBoxChange& change, const Grid& grid, CellVisit* list) const {
+std::size_t TreeChanger::list_cells(const FatBoxChange& change, const Blocks& blocks, const Grid& grid,
+                                    CellVisit* list) {
   std::size_t count = 0;
   const auto note = [&](std::uint32_t cell, const Visit& visit) {
     if (list != nullptr) list[count] = {cell, visit};
     ++count;
   };
-  for_each_visit(first_visit(change, 0), grid, FunctionRef<void(std::uint32_t, const Visit&)>(note));
+  for_each_visit(first_visit(change, 0), blocks, grid, FunctionRef<void(std::uint32_t, const Visit&)>(note));
   return count;
 }
 
@@ -113,10 +136,11 @@ void TreeChanger::change_one(const FatBoxChange& change, Node& root) {
   changes_ = {&change, 1};
   finds_pairs_ = false;
   Scratch& scratch = *scratches_[0];
-  const std::size_t count = list_cells(change, root.grid, nullptr);
+  const Blocks blocks = blocks_of(first_visit(change, 0), root.grid);
+  const std::size_t count = list_cells(change, blocks, root.grid, nullptr);
   check_visits(count, scratch);
   auto* visits = scratch.job.take<CellVisit>(count);
-  const CellVisit* const end = visits + list_cells(change, root.grid, visits);
+  const CellVisit* const end = visits + list_cells(change, blocks, root.grid, visits);
   // Ascending: the cells that it was in, and behind these, unless they are the same, those that it is in. Of
   // one that it stays in, the visit that takes it out comes first.
   const CellVisit* was = visits;
@@ -155,15 +179,18 @@ void TreeChanger::change_cell(std::span<Visit> visits, Cell& cell, Scratch& scra
 void TreeChanger::change_node(std::span<const Visit> visits, Node& node, Scratch& scratch) const {
   const std::uint32_t cells = node.grid.cells();
   auto* place = scratch.job.take<std::uint32_t>(std::size_t{cells} + 1);
+  auto* blocks = scratch.job.take<Blocks>(visits.size());
   std::fill_n(place, std::size_t{cells} + 1, 0);
-  for (const Visit& visit : visits) {
-    for_each_visit(visit, node.grid, [&](std::uint32_t cell, const Visit&) { ++place[cell + 1]; });
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    blocks[i] = blocks_of(visits[i], node.grid);
+    count_visits(visits[i], blocks[i], node.grid, place + 1);
   }
   check_visits(std::accumulate(place, place + cells + 1, std::uint64_t{0}), scratch);
   for (std::uint32_t cell = 0; cell < cells; ++cell) place[cell + 1] += place[cell];
   auto* inside = scratch.job.take<Visit>(place[cells]);
-  for (const Visit& visit : visits) {
-    for_each_visit(visit, node.grid, [&](std::uint32_t cell, const Visit& v) { inside[place[cell]++] = v; });
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    for_each_visit(visits[i], blocks[i], node.grid,
+                   [&](std::uint32_t cell, const Visit& visit) { inside[place[cell]++] = visit; });
   }
   std::uint32_t first = 0;
   for (std::uint32_t cell = 0; cell < cells; ++cell) {

@@ -34,16 +34,26 @@ class TreeChanger {
     Visit visit;
   };
 
+  /// The cells of a grid that it was in and is in.
+  struct Blocks {
+    CellBlock was;
+    CellBlock is;
+  };
+
+  Blocks blocks_of(const Visit& visit, const Grid& grid) const;
+  static bool is_of_one_block(const Visit& visit, const Blocks& blocks);
+  [[gnu::noinline]] static void count_visits(const Visit& visit, const Blocks& blocks, const Grid& grid,
+                                             std::uint32_t* counts);
   template <class Emit>
-  void for_each_visit(const Visit& visit, const Grid& grid, Emit&& emit) const;
+  static void for_each_visit(const Visit& visit, const Blocks& blocks, const Grid& grid, Emit&& emit);
   void change_node(std::span<const Visit> visits, Node& node, Scratch& scratch) const;
   [[gnu::noinline]] void change_cell(std::span<Visit> visits, Cell& cell, Scratch& scratch) const;
   void change_boxes(std::span<const Visit> visits, CellBoxes& cell, Scratch& scratch) const;
   void make_room(CellBoxes& cell, std::uint32_t more, Scratch& scratch) const;
   static std::span<Visit> merge(std::span<Visit> visits);
   static Visit first_visit(const FatBoxChange& change, std::size_t index);
-  [[gnu::noinline]] std::size_t list_cells(const FatBoxChange& change, const Grid& grid,
-                                           CellVisit* list) const;
+  [[gnu::noinline]] static std::size_t list_cells(const FatBoxChange& change, const Blocks& blocks,
+                                                  const Grid& grid, CellVisit* list);
 
   Crew& crew_;
   const Kernels& kernels_;
