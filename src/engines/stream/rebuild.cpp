@@ -8,6 +8,14 @@
 namespace cellsweep::stream {
 namespace {
 
+/// The places of moved bodies from one share of them, 0 to 1, to another one.
+Share places_of(const BodyChanges& changes, double from, double to) {
+  const auto place_of = [&](double share) {
+    return static_cast<std::size_t>(share * static_cast<double>(changes.moved.size()));
+  };
+  return {place_of(from), place_of(to)};
+}
+
 bool may_prepare(const BodyChanges& changes) {
   return changes.inserted.empty() && changes.removed.empty() && do_most_move(changes);
 }
@@ -19,7 +27,7 @@ bool Rebuild::begin_update(const BodyChanges& changes) {
   started_ = Cost::Clock::now();
   ++age_;
   if (holds_memory_ && (!may_prepare(changes) || !watch_.see(changes))) drop();
-  if (stage_ != kAll || age_ < begun_ + lasts_) return false;
+  if (stage_ != kAll || age_ < used_at_) return false;
   may_begin_ = !watch_.most_stay() && fat_boxes_.are_being_left(changes, static_cast<float>(lasts_));
   fat_boxes_.use_prepared();
   return true;
@@ -27,32 +35,34 @@ bool Rebuild::begin_update(const BodyChanges& changes) {
 
 std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped, const Cost& cost) {
   escaped_ += escaped;
-  const Cost::Clock::duration besides = Cost::Clock::now() - started_;
   if (!may_begin_ || !may_prepare(changes)) return 0;
   if (stage_ == kNothing && !begin(changes)) return 0;
-  const std::uint32_t part = age_ - begun_;
+  const Cost::Clock::duration besides = Cost::Clock::now() - started_;
+  const std::uint32_t part = age_ - first_part_ + 1;
   pace_.note(part, std::chrono::duration<double>(besides).count());
   if (stage_ == kAll) return 0;
-  crew_.plan(changes.bodies / (lasts_ - 1), cost.seconds());
-  const double before = fat_done_;
+  crew_.plan(changes.bodies / parts(), cost.seconds());
+  placed_ = 0;
   try {
     prepare_until(pace_.due(part), changes);
   } catch (const TooManyPairs&) {
     drop();
     return 0;
   }
-  return static_cast<std::size_t>((fat_done_ - before) * static_cast<double>(changes.moved.size()));
+  return placed_;
 }
 
-// At once, or, while fat boxes last, at every look.
+// At once, in the update that put those in use in their place or found everything anew, or in the next one;
+// or, while fat boxes last, at every look.
 bool Rebuild::begin(const BodyChanges& changes) {
-  if (age_ % tuning::kAllAhead != 1 || !search_.has_cells()) return false;
-  begun_ = age_ - 1;
+  if (age_ % tuning::kAllAhead > 1 || !search_.has_cells()) return false;
   lasts_ = updates_for_next(changes);
   if (lasts_ == 0) return false;
+  first_part_ = age_;
+  used_at_ = std::max(age_, 1U) - 1 + lasts_;
   watch_.begin(changes);
-  pace_.begin(lasts_ - 1, shares_.seconds());
-  shares_.begin(lasts_ - 1);
+  pace_.begin(parts(), shares_.seconds());
+  shares_.begin(parts());
   fat_boxes_.begin_prepared(changes.boxes);
   holds_memory_ = true;
   stage_ = kBegun;
@@ -91,14 +101,10 @@ void Rebuild::prepare_until(double due, const BodyChanges& changes) {
     });
     stage_ = kListed;
   }
-  if (stage_ == kListed && shares_.is_due(kFilled, due)) {
-    do_part(kFilled, [&] { search_.prepared().fill_cells(boxes); });
-    copies_ = search_.prepared().copies();
-    built_ = 0;
-    stage_ = kFilled;
-  }
+  if (stage_ == kListed && fill_cells(due, boxes)) stage_ = kFilled;
   if (stage_ == kFilled && prepare_cells(due)) stage_ = kCells;
-  if (stage_ == kCells && shares_.is_due(kCounted, due)) {
+  if (stage_ == kCells && mend_fat_boxes(due, changes)) stage_ = kMended;
+  if (stage_ == kMended && shares_.is_due(kCounted, due)) {
     do_part(kCounted, [&] { overlaps_.prepare(search_.prepared().found()); });
     stage_ = kCounted;
   }
@@ -108,20 +114,42 @@ void Rebuild::prepare_until(double due, const BodyChanges& changes) {
   }
 }
 
-// True when all of them are made. They will be used when all parts are done, and half an update sooner and
-// later, for a body does not keep its course to the last bit. Bodies are mostly listed in the same order each
-// time; one that is missed keeps the fat box that it has.
+// True when all of them are made. Bodies are mostly listed in the same order each time; one that is missed
+// keeps the fat box that it has.
 bool Rebuild::prepare_fat_boxes(double due, const BodyChanges& changes) {
-  const auto place_of = [&](double share) {
-    return static_cast<std::size_t>(share * static_cast<double>(changes.moved.size()));
-  };
   const double share = shares_.due_of(kFatBoxes, due);
-  const auto ahead = static_cast<float>(begun_ + lasts_ - age_) - 0.5F;
+  const Share places = places_of(changes, fat_done_, share);
   do_part(kFatBoxes, [&] {
-    fat_boxes_.prepare(crew_, changes, {place_of(fat_done_), place_of(share)}, ahead,
-                       static_cast<float>(next_lasts_));
+    fat_boxes_.prepare(crew_, changes, places, updates_left(), static_cast<float>(next_lasts_));
   });
+  placed_ += places.last - places.first;
   fat_done_ = share;
+  return share == 1;
+}
+
+// True when all were looked at. Some bodies have turned since theirs were made: the next update has no time
+// to make all of these anew.
+bool Rebuild::mend_fat_boxes(double due, const BodyChanges& changes) {
+  const double share = shares_.due_of(kMended, due);
+  const Share places = places_of(changes, fat_mended_, share);
+  bool is_done = true;
+  do_part(kMended, [&] {
+    const std::span<const FatBoxChange> mended =
+        fat_boxes_.mend_prepared(crew_, changes, places, updates_left(), static_cast<float>(next_lasts_));
+    placed_ += mended.size();
+    is_done = mended.empty() || overlaps_.change_prepared(changes, mended, search_.prepared());
+  });
+  if (!is_done) throw TooManyPairs();
+  fat_mended_ = share;
+  return share == 1;
+}
+
+// True when all boxes are there.
+bool Rebuild::fill_cells(double due, const Boxes& boxes) {
+  const double share = shares_.due_of(kFilled, due);
+  do_part(kFilled, [&] { search_.prepared().fill_cells(boxes, share); });
+  copies_ = search_.prepared().copies();
+  built_ = 0;
   return share == 1;
 }
 
@@ -169,7 +197,7 @@ void Rebuild::note_full() {
 
 void Rebuild::begin_anew() {
   stage_ = kNothing;
-  fat_done_ = 0;
+  fat_done_ = fat_mended_ = 0;
   age_ = 0;
   escaped_ = 0;
 }
@@ -179,7 +207,7 @@ void Rebuild::drop() {
   search_.drop_prepared();
   overlaps_.drop_prepared();
   stage_ = kNothing;
-  fat_done_ = 0;
+  fat_done_ = fat_mended_ = 0;
   holds_memory_ = false;
 }
 

@@ -51,12 +51,17 @@ class Rebuild {
 
  private:
   [[gnu::cold]] bool begin(const BodyChanges& changes);
+  std::uint32_t parts() const { return used_at_ - first_part_; }
+  /// Until what is prepared is used.
+  float updates_left() const { return static_cast<float>(used_at_ - age_); }
   std::uint32_t updates_for_next(const BodyChanges& changes) const;
   template <class Work>
   void do_part(RebuildStage stage, const Work& work);
   [[gnu::cold]] void prepare_until(double due, const BodyChanges& changes);
-  bool prepare_fat_boxes(double due, const BodyChanges& changes);
+  [[gnu::cold]] bool prepare_fat_boxes(double due, const BodyChanges& changes);
+  [[gnu::cold]] bool fill_cells(double due, const Boxes& boxes);
   bool prepare_cells(double due);
+  [[gnu::cold]] bool mend_fat_boxes(double due, const BodyChanges& changes);
   bool prepare_order(double due);
   void begin_anew();
 
@@ -73,11 +78,14 @@ class Rebuild {
   bool holds_memory_ = false;
   bool may_begin_ = false;        // the next one, when most fat boxes are going to be left
   double fat_done_ = 0;           // the share of the next fat boxes that are made
+  double fat_mended_ = 0;         // and of those that were looked at again
+  std::size_t placed_ = 0;        // boxes in this update
   std::uint64_t copies_ = 0;      // boxes placed in the next cells,
   std::uint64_t built_ = 0;       // and so many of them in cells that are made
   std::uint32_t age_ = 0;         // updates since the fat boxes in use were put in their place,
-  std::uint32_t begun_ = 0;       // and so many before the next ones were begun,
-  std::uint32_t lasts_ = 0;       // which takes so many
+  std::uint32_t first_part_ = 0;  // that age when the next ones were begun,
+  std::uint32_t used_at_ = 0;     // and when they will be used,
+  std::uint32_t lasts_ = 0;       // which takes so many updates
   std::uint32_t made_for_ = 0;    // so many updates those in use were made for,
   std::uint32_t next_lasts_ = 0;  // and the next ones will be
   std::size_t escaped_ = 0;       // bodies that left theirs since

@@ -5,14 +5,20 @@
 
 namespace cellsweep::stream {
 
+// Where they take little, as much earlier than they would begin as they end later.
+double RebuildShares::first_of_cells() const {
+  const double before = done_[kCells - 1];
+  const double after = done_[kCells];
+  if (after - before >= least_of_cells_) return before;
+  return std::max(std::min((before + after - least_of_cells_) / 2, 1 - least_of_cells_), 0.0);
+}
+
 double RebuildShares::due_of(RebuildStage stage, double due) const {
   if (due >= 1 || is_late(stage, due)) return 1;
   const double before = done_[stage - 1];
   const double share = done_[stage] - before;
-  if (stage == kCells) {
-    const double first = std::min(before, due_before_cells());
-    return std::clamp((due - first) / std::max(share, least_of_cells_), 0.0, 1.0);
-  }
+  if (stage == kCells)
+    return std::clamp((due - first_of_cells()) / std::max(share, least_of_cells_), 0.0, 1.0);
   const double done = std::clamp((due - before) / share, 0.0, 1.0);
   return stage < kCells ? done : std::min(done, due_of(static_cast<RebuildStage>(stage - 1), due));
 }

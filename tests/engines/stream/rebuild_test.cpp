@@ -27,6 +27,17 @@ void update_all(Broadphase& engine, const Courses& courses) {
   ASSERT_TRUE(engine.update().ok());
 }
 
+/// A cube of 1 among others that stand `gap` from each other, `side` on each axis.
+Aabb place(std::size_t i, std::size_t side, float gap, float at) {
+  Aabb box;
+  const std::size_t steps[] = {i % side, i / side % side, i / side / side};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.min[axis] = at + gap * static_cast<float>(steps[axis]);
+    box.max[axis] = box.min[axis] + 1;
+  }
+  return box;
+}
+
 class RebuildTest : public testing::TestWithParam<unsigned> {
  protected:
   // With a margin small worlds have fat boxes, too.
@@ -210,15 +221,6 @@ TEST_P(RebuildTest, TellsWhatIsStaticFromWhatIsNot) {
 // boxes. In one of these frames that is when the next fat boxes come into use.
 TEST_P(RebuildTest, IsGivenUpWhereNextFatBoxesHaveTooManyPairs) {
   constexpr std::size_t kMany = 3000, kLeaping = 250;
-  const auto place = [](std::size_t i, std::size_t side, float gap, float at) {
-    Aabb box;
-    const std::size_t steps[] = {i % side, i / side % side, i / side / side};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.min[axis] = at + gap * static_cast<float>(steps[axis]);
-      box.max[axis] = box.min[axis] + 1;
-    }
-    return box;
-  };
   for (int leap = 9; leap < 26; ++leap) {
     std::vector<Aabb> boxes(kMany);
     for (std::size_t i = 0; i < kMany; ++i) boxes[i] = place(i, 15, 5, 0);
@@ -236,6 +238,39 @@ TEST_P(RebuildTest, IsGivenUpWhereNextFatBoxesHaveTooManyPairs) {
       ASSERT_TRUE(engine.update().ok());
       ASSERT_EQ(engine.pairs().size(), 1U) << "leap " << leap << ", frame " << frame;
     }
+  }
+}
+
+// Some turn towards each other while the next fat boxes are prepared, and turn back before they meet: where
+// they would be by then they have more pairs than there may be.
+TEST_P(RebuildTest, IsGivenUpWhereBodiesThatTurnedWouldHaveTooManyPairs) {
+  constexpr std::size_t kMany = 3000, kSide = 5, kTurning = kSide * kSide * kSide;
+  constexpr float kGap = 1.9F;
+  for (int turn = 12; turn < 30; ++turn) {
+    std::vector<Aabb> boxes(kMany);
+    for (std::size_t i = 0; i < kMany; ++i) boxes[i] = place(i, 15, 5, 0);
+    for (std::size_t i = 0; i < kTurning; ++i) boxes[i] = place(i, kSide, kGap, 200);
+    boxes[kMany - 1] = boxes[kMany - 2];
+    Broadphase engine = engine_with(boxes, {.threads = GetParam(), .margin = 0.01F, .max_pairs = 10});
+    const auto go_on = [&](float inwards) {
+      for (std::size_t i = 0; i < kMany; ++i) {
+        const std::size_t at[] = {i % kSide, i / kSide % kSide, i / kSide / kSide};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          float step = axis == 0 ? 0.1F : 0;
+          if (i < kTurning)
+            step += inwards * kGap * (static_cast<float>(kSide / 2) - static_cast<float>(at[axis]));
+          boxes[i].min[axis] += step;
+          boxes[i].max[axis] += step;
+        }
+      }
+      move_every(engine, boxes, 1);
+      ASSERT_TRUE(engine.update().ok());
+      ASSERT_EQ(engine.pairs().size(), 1U) << "turn " << turn;
+    };
+    for (int frame = 0; frame < turn; ++frame) go_on(0);
+    go_on(0.2F);
+    go_on(-0.2F);
+    for (int frame = 0; frame < 10; ++frame) go_on(0);
   }
 }
 

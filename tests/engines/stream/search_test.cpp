@@ -25,7 +25,7 @@ class SearchTest : public testing::Test {
   void prepare() {
     const Boxes boxes(boxes_.data(), boxes_.size());
     search_.begin_prepared(boxes);
-    search_.prepared().fill_cells(boxes);
+    search_.prepared().fill_cells(boxes, 1);
     while (!search_.prepared().is_built()) search_.prepared().go_on(1000);
   }
 

@@ -4,6 +4,7 @@
 
 #include "base/tuning.h"
 #include "cellsweep/aabb.h"
+#include "geometry/box_lanes.h"
 
 namespace cellsweep::stream {
 
@@ -37,6 +38,19 @@ struct LaterOutlook {
 /// A box that encloses where the way that led from `old` to `now` will lead to by then. A box that moves
 /// further than its own length at a time is taken to stay.
 Aabb later_fat_box_of(const Aabb& old, const Aabb& now, const LaterOutlook& outlook);
+
+/// Whether a body will have left its fat box in so many updates, on the way that led from `old` to `now`. One
+/// that moves further than its own length at a time has no such way.
+inline bool will_have_left(const Aabb& fat, const Aabb& old, const Aabb& now, float updates) {
+  const BoxLanes around(fat), before(old), box(now);
+  const Float4 edge = box.max - box.min;
+  const Float4 low_step = box.min - before.min;
+  const Float4 high_step = box.max - before.max;
+  const Int4 is_out =
+      (box.min + low_step * updates < around.min) | (box.max + high_step * updates > around.max);
+  const Int4 is_near = (magnitude(low_step) <= edge) & (magnitude(high_step) <= edge);
+  return on_any_axis(is_out) && on_all_axes(is_near);
+}
 
 /// Whether a body may have left its fat box on a straight way with steps like the last one, in so many
 /// updates: one that goes to and fro takes longer.

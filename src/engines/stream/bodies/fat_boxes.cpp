@@ -73,6 +73,8 @@ const Aabb* FatBoxes::by_slot(std::span<const Aabb> boxes) {
 }
 
 void FatBoxes::begin_prepared(std::span<const Aabb> boxes) {
+  // In memory that was just asked for, and is in the cache from being cleared: in that of the last ones
+  // updates take 1.03 times as long (Xeon, uniform, varied and wall, 10,000).
   prepared_ = copy_of({by_slot(boxes), boxes.size()});
 }
 
@@ -103,20 +105,23 @@ void FatBoxes::drop_slack() {
   slack_ = false;
 }
 
-std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
-  const std::span<const Slot> moved = changes.moved;
+// Notes who has left `fat_of(slot)`, as `has_left(slot)` says, and how many have.
+template <class FatOf, class HasLeft>
+std::size_t FatBoxes::note_escapes(Crew& crew, std::span<const Slot> moved, const FatOf& fat_of,
+                                   const HasLeft& has_left) {
   escapes_.renew(moved.size());
   PerWorker<std::size_t> counts(crew.active());
   crew.run([&](unsigned worker) {
     const Share share = Share::of(moved.size(), worker, crew.active());
     std::size_t count = 0;
-    const SlotBoxes fat(fat_.blocks(), fat_.all().data());
-    const Aabb* const boxes = changes.boxes.data();
+    // Of its own: else what they hold would be read again after each byte that is written.
+    const Slot* const slots = moved.data();
+    const FatOf fat = fat_of;
+    const HasLeft is_out = has_left;
     std::uint8_t* const escapes = escapes_.data();
     for (std::size_t i = share.first; i < share.last; ++i) {
-      const Slot slot = moved[i];
-      __builtin_prefetch(&fat[moved[std::min(i + tuning::kAhead, share.last - 1)]]);
-      escapes[i] = encloses(BoxLanes(fat[slot]), BoxLanes(boxes[slot])) ? 0 : 1;
+      __builtin_prefetch(&fat(slots[std::min(i + tuning::kAhead, share.last - 1)]));
+      escapes[i] = is_out(slots[i]) ? 1 : 0;
       count += escapes[i];
     }
     counts[worker] = count;
@@ -124,6 +129,14 @@ std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
   std::size_t sum = 0;
   for (const std::size_t count : counts.view()) sum += count;
   return sum;
+}
+
+std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
+  const SlotBoxes fat(fat_.blocks(), fat_.all().data());
+  const Aabb* const boxes = changes.boxes.data();
+  return note_escapes(
+      crew, changes.moved, [=](Slot slot) -> const Aabb& { return fat[slot]; },
+      [=](Slot slot) { return !encloses(BoxLanes(fat[slot]), BoxLanes(boxes[slot])); });
 }
 
 // A body that trembles inside of its fat box keeps that: a next one, made by a step that happened to be
@@ -144,8 +157,14 @@ void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
   });
 }
 
+// They will be used at a moment that is known, and half an update sooner and later, for a body does not keep
+// its course to the last bit.
+LaterOutlook FatBoxes::later_outlook(float from, float updates) const {
+  return {from - 0.5F, updates, growth_.most, margin_, growth_.least};
+}
+
 void FatBoxes::prepare(Crew& crew, const BodyChanges& changes, Share places, float from, float updates) {
-  const LaterOutlook outlook{from, updates, growth_.most, margin_, growth_.least};
+  const LaterOutlook outlook = later_outlook(from, updates);
   crew.run([&](unsigned worker) {
     const Share share = Share::of(places.last - places.first, worker, crew.active());
     for (std::size_t i = places.first + share.first; i < places.first + share.last; ++i) {
@@ -154,6 +173,37 @@ void FatBoxes::prepare(Crew& crew, const BodyChanges& changes, Share places, flo
       prepared_[slot] = later_fat_box_of(changes.before[slot], changes.boxes[slot], outlook);
     }
   });
+}
+
+// One that trembles has the fat box that it had when others were prepared: it may have another one now.
+std::size_t FatBoxes::find_escapes_from_prepared(Crew& crew, const BodyChanges& changes,
+                                                 std::span<const Slot> moved, float from) {
+  const auto has_left = [&](Slot slot) {
+    const Aabb& fat = prepared_[slot];
+    const Aabb& now = changes.boxes[slot];
+    if (courses_[slot].trembles) return !encloses(BoxLanes(fat), BoxLanes(now));
+    return will_have_left(fat, changes.before[slot], now, from);
+  };
+  return note_escapes(
+      crew, moved, [&](Slot slot) -> const Aabb& { return prepared_[slot]; }, has_left);
+}
+
+std::span<const FatBoxChange> FatBoxes::mend_prepared(Crew& crew, const BodyChanges& changes, Share places,
+                                                      float from, float updates) {
+  const std::span<const Slot> moved = changes.moved.subspan(places.first, places.last - places.first);
+  mended_.clear();
+  mended_.reserve(find_escapes_from_prepared(crew, changes, moved, from));
+  const LaterOutlook outlook = later_outlook(from, updates);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    if (escapes_.data()[i] == 0) continue;
+    const Slot slot = moved[i];
+    const Aabb next = courses_[slot].trembles
+                          ? fat_[slot]
+                          : later_fat_box_of(changes.before[slot], changes.boxes[slot], outlook);
+    mended_.push({slot, true, true, prepared_[slot], next});
+    prepared_[slot] = next;
+  }
+  return mended_.view();
 }
 
 bool FatBoxes::are_being_left(const BodyChanges& changes, float updates) const {
@@ -253,7 +303,8 @@ void FatBoxes::give_back() {
 }
 
 std::size_t FatBoxes::bytes() const {
-  return fat_.bytes() + courses_.bytes() + prepared_.bytes() + escapes_.bytes() + changes_.bytes();
+  return fat_.bytes() + courses_.bytes() + prepared_.bytes() + escapes_.bytes() + changes_.bytes() +
+         mended_.bytes();
 }
 
 }  // namespace cellsweep::stream

@@ -11,6 +11,7 @@
 #include "base/memory/slot_blocks.h"
 #include "base/threads/crew.h"
 #include "cellsweep/engine/slots.h"
+#include "engines/stream/bodies/fat_box.h"
 #include "engines/stream/bodies/growth.h"
 
 namespace cellsweep {
@@ -58,17 +59,25 @@ class FatBoxes {
   std::span<const FatBoxChange> changes() const { return changes_.view(); }
 
   /// Fat boxes for later: prepared(), by slot. prepare() makes those of some bodies, by place in the list of
-  /// moved ones, to last for so many updates from `from` ahead on; others keep those that they have. As long
-  /// as no body came or went, use_prepared() puts them in the place of those that there are, before a take().
+  /// moved ones, for those who use them `from` updates ahead, to last for so many from then on; others keep
+  /// those that they have. As long as no body came or went, use_prepared() puts them in the place of those
+  /// that there are, before a take().
   void begin_prepared(std::span<const Aabb> boxes);
   void prepare(Crew& crew, const BodyChanges& changes, Share places, float from, float updates);
   std::span<const Aabb> prepared() const { return prepared_.view(); }
+  /// Makes those of these bodies anew in which they will not be `from` updates ahead if they keep their
+  /// course, and lists what changed: valid until the next call.
+  [[gnu::cold]] std::span<const FatBoxChange> mend_prepared(Crew& crew, const BodyChanges& changes,
+                                                            Share places, float from, float updates);
   void use_prepared() { std::swap(fat_.all(), prepared_); }
   /// Whether most of the bodies that moved have left the fat boxes that there are, or will within so many
   /// updates if they keep their course: some tell.
   [[gnu::cold]] bool are_being_left(const BodyChanges& changes, float updates) const;
   /// Forgets them, and their memory.
-  void drop_prepared() { prepared_ = List<Aabb>(); }
+  void drop_prepared() {
+    prepared_ = List<Aabb>();
+    mended_ = List<FatBoxChange>();
+  }
 
   /// Gives memory back that the next update may ask for again; changes() may lie there no longer.
   [[gnu::cold]] void give_back();
@@ -100,13 +109,19 @@ class FatBoxes {
   };
 
   Course course_of_long_ago() const;
+  LaterOutlook later_outlook(float from, float updates) const;
   bool has(Slot slot) const { return slack_ && fat_.has(slot); }
   [[gnu::cold]] void lay_by_slot(List<Aabb> boxes);
   void add_moved(const BodyChanges& changes);
   Aabb grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates);
   [[gnu::cold]] void judge(Course& course, unsigned age, float step) const;
   static float reach_of(int halvings);
+  template <class FatOf, class HasLeft>
+  std::size_t note_escapes(Crew& crew, std::span<const Slot> moved, const FatOf& fat_of,
+                           const HasLeft& has_left);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
+  std::size_t find_escapes_from_prepared(Crew& crew, const BodyChanges& changes, std::span<const Slot> moved,
+                                         float from);
   void begin_update(const BodyChanges& changes);
   void renew_all(Crew& crew, const BodyChanges& changes);
   void list(const BodyChanges& changes, std::size_t count);
@@ -119,6 +134,7 @@ class FatBoxes {
   List<Aabb> prepared_;          // by slot
   Array<std::uint8_t> escapes_;  // by place in the list of moved bodies: it left its fat box
   List<FatBoxChange> changes_;
+  List<FatBoxChange> mended_;  // of prepared_
   float margin_;
   Growth growth_;
   bool slack_ = false;

@@ -64,12 +64,13 @@ TreeBuilder CellTree::builder() {
 
 void CellTree::build(const Boxes& boxes) {
   begin_build(boxes);
-  fill_cells(boxes);
+  fill_cells(boxes, 1);
   while (!is_built()) go_on(~std::uint64_t{0});
 }
 
 void CellTree::begin_build(const Boxes& boxes) {
   reset(boxes.count());
+  filled_ = 0;
   cells_built_ = 0;
   placement_ = builder().place(boxes, root_);
 }
@@ -85,8 +86,9 @@ void CellTree::take_working_memory(CellTree& other) {
   std::fill(other.found_.begin(), other.found_.end(), std::span<const std::uint64_t>());
 }
 
-void CellTree::fill_cells(const Boxes& boxes) {
-  builder().fill(boxes, placement_);
+void CellTree::fill_cells(const Boxes& boxes, double share) {
+  builder().fill(boxes, placement_, filled_, share);
+  filled_ = share;
 }
 
 std::uint64_t CellTree::go_on(std::uint64_t boxes) {
@@ -128,6 +130,16 @@ void CellTree::change(std::span<const FatBoxChange> changes) {
   for (std::size_t worker = 0; worker < scratches_.size(); ++worker) {
     scratches_[worker]->touched.leave_out();
     touched_[worker] = scratches_[worker]->touched.view();
+  }
+}
+
+void CellTree::change_found(std::span<const FatBoxChange> changes, const std::uint8_t* changed) {
+  change(changes);
+  for (std::size_t worker = 0; worker < scratches_.size(); ++worker) {
+    Keys& found = scratches_[worker]->found;
+    found.leave_out(changed);
+    found.append(touched_[worker]);
+    found_[worker] = found.view();
   }
 }
 

@@ -109,14 +109,15 @@ class CellTree {
   /// Makes the tree anew for boxes by slot (NaN where there is no body) and finds all pairs: found().
   void build(const Boxes& boxes);
 
-  /// The same in parts: says into which cells of the topmost grid boxes go; then puts them there; then, as
-  /// often as is_built() says no, makes as many cells as have so many boxes or a little more, and returns how
-  /// many they have. In the meantime nothing else is to be called but allow().
+  /// The same in parts: says into which cells of the topmost grid boxes go; then puts them there until a
+  /// share, 0 to 1, is there, as often as that is not 1; then, as often as is_built() says no, makes as many
+  /// cells as have so many boxes or a little more, and returns how many they have. In the meantime nothing
+  /// else is to be called but allow().
   void begin_build(const Boxes& boxes);
   /// Before that: the memory that another tree was built with, and found() is in, which only has changes from
   /// now on.
   [[gnu::cold]] void take_working_memory(CellTree& other);
-  void fill_cells(const Boxes& boxes);
+  void fill_cells(const Boxes& boxes, double share);
   std::uint64_t go_on(std::uint64_t boxes);
   bool is_built() const { return cells_built_ == root_.grid.cells(); }
 
@@ -128,13 +129,17 @@ class CellTree {
   /// Moves, adds and takes out bodies, each once, and finds all pairs that these now have: touched().
   void change(std::span<const FatBoxChange> changes);
 
+  /// The same, and found() are the pairs that there are then: those of slots whose entry in `changed`, by
+  /// slot, is not 0, which are the ones of the changes, are now touched().
+  [[gnu::cold]] void change_found(std::span<const FatBoxChange> changes, const std::uint8_t* changed);
+
   /// Changes one body, in time that does not depend on how many cells there are, and finds no pairs.
   void change_one(const FatBoxChange& change);
 
   /// Appends the slots of all bodies whose boxes overlap this one, each once.
   void find_partners(const Aabb& box, Keys& slots);
 
-  /// Valid until the next build().
+  /// Valid until the next build() or change_found().
   KeyParts found() const { return found_; }
   /// Valid until the next change().
   KeyParts touched() const { return touched_; }
@@ -165,6 +170,7 @@ class CellTree {
   std::vector<std::span<const std::uint64_t>> touched_;
   Node root_;
   Placement placement_;            // while the tree is built
+  double filled_ = 0;              // the share of it that is in cells
   std::uint32_t cells_built_ = 0;  // of the topmost grid
   std::size_t built_boxes_ = 0;
   std::uint64_t built_copies_ = 0;

@@ -44,6 +44,23 @@ void Keys::leave_out() {
   size = allowed_ = static_cast<std::size_t>(to - keys);
 }
 
+void Keys::leave_out(const std::uint8_t* marked) {
+  std::uint64_t* to = keys;
+  for (const std::uint64_t key : view()) {
+    *to = key;
+    const int mark = marked[static_cast<Slot>(key >> 32)] | marked[static_cast<Slot>(key)];
+    to += mark == 0 ? 1 : 0;
+  }
+  shrink(static_cast<std::size_t>(to - keys));
+}
+
+void Keys::append(std::span<const std::uint64_t> more) {
+  make_room(*this, more.size());
+  std::copy(more.begin(), more.end(), keys + size);
+  size += more.size();
+  allowed_ = size;
+}
+
 void Keys::shrink(std::size_t count) {
   size = count;
   allowed_ = std::min(allowed_, count);

@@ -33,6 +33,10 @@ class Keys : private KeyBuffer {
   void allow(std::span<const BodyFilter> filters) { filters_ = filters; }
   /// Leaves out what is not allowed of what was written since the last call.
   void leave_out();
+  /// Leaves out those of slots whose entry in `marked`, by slot, is not 0.
+  void leave_out(const std::uint8_t* marked);
+  /// More, which are allowed.
+  [[gnu::cold]] void append(std::span<const std::uint64_t> more);
   /// Keeps the first `count`.
   void shrink(std::size_t count);
 

@@ -120,9 +120,14 @@ std::optional<Placement> TreeBuilder::try_place(const Boxes& boxes, Look look, G
   return placement;
 }
 
-void TreeBuilder::fill(const Boxes& boxes, const Placement& placement) {
+void TreeBuilder::fill(const Boxes& boxes, const Placement& placement, double from, double to) {
   crew_.for_each(placement.copies.size(), 1, [&](unsigned, std::size_t list) {
-    fill(boxes, placement.copies[list], placement.cells, placement.places[list]);
+    const std::span<const BoxCopy> copies = placement.copies[list];
+    const auto place_of = [&](double share) {
+      return static_cast<std::size_t>(share * static_cast<double>(copies.size()));
+    };
+    fill(boxes, copies.subspan(place_of(from), place_of(to) - place_of(from)), placement.cells,
+         placement.places[list]);
   });
 }
 

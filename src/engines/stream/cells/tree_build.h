@@ -21,8 +21,8 @@ class TreeBuilder {
 
   /// Makes the topmost grid and says which boxes go into which of its cells.
   Placement place(const Boxes& boxes, Node& root);
-  /// Puts them there.
-  void fill(const Boxes& boxes, const Placement& placement);
+  /// Puts them there, from one share of each list, 0 to 1, to another one.
+  void fill(const Boxes& boxes, const Placement& placement, double from, double to);
   /// Makes some of the cells and finds their pairs. Each is made once.
   void finish(const Placement& placement, std::uint32_t first, std::uint32_t end, Node& root);
 

@@ -69,6 +69,22 @@ SlotPairChanges Overlaps::change_candidates(const BodyChanges& changes,
   return found;
 }
 
+bool Overlaps::change_prepared(const BodyChanges& changes, std::span<const FatBoxChange> fat_changes,
+                               CellTree& cells) {
+  make_room_for_few(changes);
+  mark_fresh(fat_changes, 1);
+  bool is_done = true;
+  try {
+    cells.change_found(fat_changes, fresh_.data());
+  } catch (const TooManyPairs&) {
+    is_done = false;
+  } catch (const TooMuchWork&) {
+    is_done = false;
+  }
+  mark_fresh(fat_changes, 0);
+  return is_done;
+}
+
 FoundPairs Overlaps::test(const BodyChanges& changes, const SlotPairChanges& of_candidates) {
   if (are_pairs_) return {.began = of_candidates.began, .ended = of_candidates.ended};
   repair_marks(changes);

@@ -41,6 +41,10 @@ class Overlaps {
   bool are_in_order(const BodyChanges& changes) const;
   void put_in_order() { list_.sort_found(crew_); }
 
+  /// Fat boxes for later changed, and their cells and what was found in them with these. False, and all that
+  /// is of no use any more, when that takes more than to make them anew.
+  [[gnu::cold]] bool change_prepared(const BodyChanges& changes, std::span<const FatBoxChange> fat_changes,
+                                     CellTree& cells);
   /// Candidates for later, those of `found`, in buckets; sort_prepared() sorts them until a share, 0 to 1, is
   /// in order, and returns whether all is. Between set_aside() and compare(), use_prepared() puts them in the
   /// place of those that there are.

@@ -370,7 +370,7 @@ TEST_P(FatBoxesTest, MayBePreparedForLaterAPartAtATime) {
     std::vector<Aabb> before = boxes_;
     for (Slot slot = 0; slot < 60; ++slot) before[slot] = along_x(boxes_[slot], slot == 7 ? 0 : -0.01F);
     ASSERT_EQ(take(), Extent::inside);
-    const auto ahead = static_cast<float>(3 - part) - 0.5F;
+    const auto ahead = static_cast<float>(3 - part);
     fat_.prepare(crew_, {boxes_, {before}, {}, moved, {}, 60}, {20 * part, 20 * part + 20}, ahead, 5);
   }
   const std::vector<Aabb> prepared(fat_.prepared().begin(), fat_.prepared().end());
@@ -381,6 +381,95 @@ TEST_P(FatBoxesTest, MayBePreparedForLaterAPartAtATime) {
   }
   fat_.use_prepared();
   EXPECT_TRUE(same(fat_.by_slot(boxes_)[3], prepared[3]));
+}
+
+// Each tenth body turns after its own was made, each twentieth comes to rest and one leaps.
+TEST_P(FatBoxesTest, ThatArePreparedAreMadeAnewWhereBodiesWillNotBeInThem) {
+  constexpr Slot kBodies = 200, kLeaps = 3;
+  insert(uniform_boxes(kBodies, 2));
+  take(0);
+  std::vector<float> steps(kBodies, 0.02F);
+  std::vector<Slot> moved(kBodies);
+  std::iota(moved.begin(), moved.end(), Slot{0});
+  std::vector<Aabb> before;
+  const auto go_on = [&] {
+    before = boxes_;
+    for (Slot slot = 0; slot < kBodies; ++slot) move(slot, along_x(boxes_[slot], steps[slot]));
+  };
+  const auto changes = [&] { return BodyChanges{boxes_, {before}, {}, moved, {}, kBodies}; };
+  go_on();
+  take(0);
+  fat_.begin_prepared(boxes_);
+  go_on();
+  fat_.prepare(crew_, changes(), {0, kBodies}, 4, 5);
+  take();
+  std::set<Slot> expected;
+  for (Slot slot = 0; slot < kBodies; slot += 10) {
+    steps[slot] = slot % 20 == 0 ? 0 : -0.02F;
+    expected.insert(slot);
+  }
+  steps[kLeaps] = 9;
+  go_on();
+  steps[kLeaps] = 0.02F;
+  const std::vector<Aabb> prepared(fat_.prepared().begin(), fat_.prepared().end());
+  std::set<Slot> listed;
+  for (const Share places : {Share{0, 60}, Share{60, 60}, Share{60, kBodies}}) {
+    for (const FatBoxChange& change : fat_.mend_prepared(crew_, changes(), places, 3, 5)) {
+      EXPECT_TRUE(listed.insert(change.slot).second);
+      EXPECT_TRUE(change.was && change.is && places.first <= change.slot && change.slot < places.last);
+      EXPECT_TRUE(same(change.old_box, prepared[change.slot]));
+      EXPECT_TRUE(same(change.new_box, fat_.prepared()[change.slot]));
+    }
+  }
+  EXPECT_EQ(listed, expected) << "where one that leaps will be nobody knows";
+  take();
+  for (int update = 0; update < 2; ++update) go_on();
+  for (int update = 0; update < 5; ++update) {
+    go_on();
+    for (Slot slot = 0; slot < kBodies; ++slot) {
+      if (slot == kLeaps) continue;
+      ASSERT_TRUE(encloses(fat_.prepared()[slot], boxes_[slot])) << "slot " << slot << ", update " << update;
+    }
+  }
+}
+
+// One that trembles keeps the fat box that it has, also where that is another one than when others were made.
+TEST_P(FatBoxesTest, ThatArePreparedAreThoseThatTrembleHaveNow) {
+  constexpr Slot kBodies = 20;
+  insert(uniform_boxes(kBodies, 3));
+  take(0);
+  const std::vector<Aabb> first = boxes_;
+  std::vector<Slot> moved(kBodies);
+  std::iota(moved.begin(), moved.end(), Slot{0});
+  std::vector<Aabb> before;
+  const auto tremble = [&](float by) {
+    before = boxes_;
+    for (Slot slot = 0; slot < kBodies; ++slot) move(slot, along_x(first[slot], by));
+  };
+  const auto changes = [&] { return BodyChanges{boxes_, {before}, {}, moved, {}, kBodies}; };
+  for (int update = 0; update < 12; ++update) {
+    tremble(update % 2 == 0 ? 0.001F : 0);
+    take();
+  }
+  fat_.begin_prepared(boxes_);
+  tremble(0.001F);
+  fat_.prepare(crew_, changes(), {0, kBodies}, 3, 5);
+  take();
+  tremble(0.02F);
+  take();
+  ASSERT_GT(listed(), 0U);
+  tremble(0.019F);
+  take();
+  std::set<Slot> left;
+  for (Slot slot = 0; slot < kBodies; ++slot) {
+    if (!encloses(fat_.prepared()[slot], boxes_[slot])) left.insert(slot);
+  }
+  ASSERT_FALSE(left.empty());
+  for (const FatBoxChange& change : fat_.mend_prepared(crew_, changes(), {0, kBodies}, 1, 5)) {
+    EXPECT_EQ(left.erase(change.slot), 1U);
+    EXPECT_TRUE(same(change.new_box, fat(change.slot)));
+  }
+  EXPECT_THAT(left, IsEmpty());
 }
 
 TEST_P(FatBoxesTest, AreTheBoxesAgainWhenSlackIsDropped) {

@@ -113,7 +113,10 @@ TEST_P(CellTreeTest, MayBeBuiltAPartAtATimeByDifferentlyManyWorkers) {
     use_some();
     tree_.begin_build(boxes);
     use_some();
-    tree_.fill_cells(boxes);
+    const double share = random.unit();
+    tree_.fill_cells(boxes, share);
+    use_some();
+    tree_.fill_cells(boxes, 1);
     std::uint64_t built = 0;
     while (!tree_.is_built()) {
       use_some();
@@ -176,6 +179,29 @@ TEST_P(CellTreeTest, FollowsBodiesThatMoveComeAndGo) {
         change(slot, random.one_in(5) ? kNobody : contract::canonical_box(next));
       }
       ASSERT_NO_FATAL_FAILURE(take_changes());
+    }
+  }
+}
+
+// Whatever changed before.
+TEST_P(CellTreeTest, HasAllPairsThatThereAreOnceSomeBodiesChanged) {
+  Random random(6);
+  for (const contract::BoxKind& kind : contract::box_kinds()) {
+    SCOPED_TRACE(testing::Message() << kind);
+    std::vector<Aabb> boxes = make_boxes(kind, random, 400);
+    for (Aabb& box : boxes) box = random.one_in(9) ? kNobody : contract::canonical_box(box);
+    ASSERT_NO_FATAL_FAILURE(build(boxes));
+    std::vector<std::uint8_t> changed(boxes_.size(), 0);
+    for (int round = 0; round < 4; ++round) {
+      for (Slot slot = 0; slot < boxes_.size(); ++slot) {
+        if (!random.one_in(10)) continue;
+        change(slot, random.one_in(9) ? kNobody : contract::canonical_box(kind.make(random, slot, 400)));
+      }
+      for (const FatBoxChange& one : changes_) changed[one.slot] = 1;
+      tree_.change_found(changes_, changed.data());
+      for (const FatBoxChange& one : changes_) changed[one.slot] = 0;
+      changes_.clear();
+      ASSERT_EQ(keys_in(tree_.found()), truth_of(boxes_));
     }
   }
 }

@@ -62,6 +62,26 @@ TEST(Keys, TakeNoMemoryForPairsThatFiltersDoNotAllow) {
   EXPECT_EQ(keys.view().size(), expected.size() + 1) << "all are allowed again";
 }
 
+TEST(Keys, OfMarkedSlotsAreLeftOutAndOthersTakeTheirPlace) {
+  std::vector<std::uint8_t> marked(100, 0);
+  for (Slot slot = 0; slot < 100; slot += 7) marked[slot] = 1;
+  Keys keys;
+  std::vector<std::uint64_t> expected;
+  for (Slot one = 0; one < 100; ++one) {
+    for (Slot other = one + 1; other < 100; other += 3) {
+      add(keys, pair_key(SlotPair{one, other}));
+      if (one % 7 != 0 && other % 7 != 0) expected.push_back(pair_key(SlotPair{one, other}));
+    }
+  }
+  keys.leave_out(marked.data());
+  EXPECT_THAT(keys.view(), testing::ElementsAreArray(expected));
+  const std::vector<std::uint64_t> more(5000, pair_key(SlotPair{7, 14}));
+  keys.append(more);
+  keys.append({});
+  expected.insert(expected.end(), more.begin(), more.end());
+  EXPECT_THAT(keys.view(), testing::ElementsAreArray(expected));
+}
+
 TEST(Keys, CountAgainstTheLimitWhenFiltersAllowThem) {
   const std::vector<BodyFilter> filters(3000, BodyFilter{.mask = 0});
   Keys keys;
