@@ -72,6 +72,12 @@ void TreeChanger::for_each_visit(const Visit& visit, const Blocks& blocks, const
   });
 }
 
+void TreeChanger::put_visits(const Visit& visit, const Blocks& blocks, const Grid& grid,
+                             std::uint32_t* places, Visit* to) {
+  for_each_visit(visit, blocks, grid,
+                 [=](std::uint32_t cell, const Visit& inside) { to[places[cell]++] = inside; });
+}
+
 void TreeChanger::change(std::span<const FatBoxChange> changes, Node& root) {
   changes_ = changes;
   const std::uint32_t cells = root.grid.cells();
@@ -109,8 +115,7 @@ void TreeChanger::change(std::span<const FatBoxChange> changes, Node& root) {
   crew_.run([&](unsigned worker) {
     std::uint32_t* place = places + std::size_t{worker} * cells;
     for_share(worker, [&](const Visit& visit, const Blocks& there) {
-      for_each_visit(visit, there, root.grid,
-                     [&](std::uint32_t cell, const Visit& inside) { visits[place[cell]++] = inside; });
+      put_visits(visit, there, root.grid, place, visits);
     });
   });
   crew_.for_each(cells, 8, [&](unsigned worker, std::size_t cell) {
@@ -189,8 +194,7 @@ void TreeChanger::change_node(std::span<const Visit> visits, Node& node, Scratch
   for (std::uint32_t cell = 0; cell < cells; ++cell) place[cell + 1] += place[cell];
   auto* inside = scratch.job.take<Visit>(place[cells]);
   for (std::size_t i = 0; i < visits.size(); ++i) {
-    for_each_visit(visits[i], blocks[i], node.grid,
-                   [&](std::uint32_t cell, const Visit& visit) { inside[place[cell]++] = visit; });
+    put_visits(visits[i], blocks[i], node.grid, place, inside);
   }
   std::uint32_t first = 0;
   for (std::uint32_t cell = 0; cell < cells; ++cell) {

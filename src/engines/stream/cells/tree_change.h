@@ -44,6 +44,9 @@ class TreeChanger {
   static bool is_of_one_block(const Visit& visit, const Blocks& blocks);
   [[gnu::noinline]] static void count_visits(const Visit& visit, const Blocks& blocks, const Grid& grid,
                                              std::uint32_t* counts);
+  /// Each at the place for the next one of its cell.
+  [[gnu::noinline]] static void put_visits(const Visit& visit, const Blocks& blocks, const Grid& grid,
+                                           std::uint32_t* places, Visit* to);
   template <class Emit>
   static void for_each_visit(const Visit& visit, const Blocks& blocks, const Grid& grid, Emit&& emit);
   void change_node(std::span<const Visit> visits, Node& node, Scratch& scratch) const;
