@@ -308,6 +308,13 @@ inline constexpr std::uint64_t kFewOfRounded = 4096;
 /// When fewer than one in so many bodies got a new box, candidates of two others are not tested, but where
 /// they are among many that are. EPYC, uniform 10,000 and 100,000.
 inline constexpr std::size_t kFewFresh = 3;
+/// Candidates of two bodies that rest are parted from the others after so many updates in which nobody began
+/// to move; after twice as many, and so many at most, where somebody of theirs does within so many times as
+/// many. After many updates it is looked anew who rests. Chosen, not measured.
+inline constexpr std::uint32_t kPatienceToPart = 8;
+inline constexpr std::uint32_t kMostPatienceToPart = 128;
+inline constexpr std::uint32_t kCalmOfPatience = 4;
+inline constexpr std::uint32_t kMostCalm = 1024;
 /// Candidates among which those with a new box are picked at a time. EPYC, uniform 10,000 and 100,000: with
 /// 64 and with 1,024 it takes the same.
 inline constexpr std::size_t kRun = 256;

@@ -219,6 +219,7 @@ bool Stream::find_of_few(const BodyChanges& changes, PhaseTimer& timer, FoundPai
 }
 
 FoundPairs Stream::find_in_place(const BodyChanges& changes, PhaseTimer& timer) {
+  overlaps_.begin_walk(changes);
   const FoundPairs found = overlaps_.test(changes, {});
   note_slack(changes);
   timer.lap("tests");
@@ -238,6 +239,7 @@ bool Stream::find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPa
   if (!search_.change(fat_boxes_.changes())) return false;
   changed_ += count;
   timer.lap("cells");
+  overlaps_.begin_walk(changes);
   const SlotPairChanges of_candidates =
       overlaps_.change_candidates(changes, fat_boxes_.changes(), search_.cells());
   timer.lap("sort");

@@ -48,8 +48,19 @@ std::size_t steps_due(double share, double begin, double end, std::size_t steps)
 }  // namespace
 
 std::span<const SlotPair> CandidateList::pairs(Crew& crew, PairRoom& room) {
+  return std::as_const(all(crew, room)).view();
+}
+
+Array<SlotPair>& CandidateList::all(Crew& crew, PairRoom& room) {
   sort_found(crew);
-  return std::as_const(list_.all(room.one)).view();
+  return list_.all(room.one);
+}
+
+// Not std::swap: a program of a few kilobytes less.
+void CandidateList::swap(CandidateList& other) {
+  CandidateList one = std::move(*this);
+  *this = std::move(other);
+  other = std::move(one);
 }
 
 void CandidateList::sort_found(Crew& crew) {

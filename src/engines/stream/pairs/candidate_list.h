@@ -27,6 +27,8 @@ struct SlotPairChanges {
 /// memory.
 class CandidateList {
  public:
+  [[gnu::cold]] void swap(CandidateList& other);
+
   /// No pairs: those that there were are in `taken`, whose memory the next ones get.
   void take(Crew& crew, PairRoom& room, Array<SlotPair>& taken);
 
@@ -58,6 +60,10 @@ class CandidateList {
 
   /// Ascending.
   std::span<const SlotPair> pairs(Crew& crew, PairRoom& room);
+
+  /// The same, to be changed by whoever says afterwards that it was.
+  Array<SlotPair>& all(Crew& crew, PairRoom& room);
+  void note_change() { size_ = list_.pairs().size(); }
 
   std::size_t size() const { return size_; }
   /// Whether pairs() has something to do.

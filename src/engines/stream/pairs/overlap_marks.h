@@ -37,6 +37,9 @@ class OverlapMarks {
   SlotPairChanges refresh(Crew& crew, std::span<const SlotPair> candidates, const SlotPairChanges& changes,
                           const TestedBoxes& tested, PairRoom& room);
 
+  /// Those of all candidates, in their order, to be changed together with these.
+  Array<std::uint8_t>& all() { return marks_; }
+
   /// Leaves the marked ones in the list of all candidates.
   void leave_marked(Array<SlotPair>& candidates) const;
 

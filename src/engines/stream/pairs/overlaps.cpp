@@ -6,8 +6,16 @@
 #include "base/tuning.h"
 
 namespace cellsweep::stream {
+namespace {
+
+bool do_few_change(const BodyChanges& changes) {
+  return changes.moved.size() + changes.inserted.size() < changes.bodies / tuning::kFewFresh;
+}
+
+}  // namespace
 
 void Overlaps::set_aside(const BodyChanges& changes) {
+  reunite();
   const bool are_marked = marks_say_ != Marks::all_overlap;
   if (are_marked) repair_marks(changes);
   list_.take(crew_, room_, before_);
@@ -58,6 +66,21 @@ void Overlaps::repair_marks(const BodyChanges& changes) {
   marks_say_ = Marks::true_of_it;
 }
 
+// What is parted has marks that are true.
+void Overlaps::begin_walk(const BodyChanges& changes) {
+  if (!do_few_change(changes) || are_pairs_) return reunite();
+  if (resting_.begin_update(changes)) reunite();
+  if (!resting_.are_known() || marks_say_ != Marks::true_of_it) return;
+  resting_.part({list_.all(crew_, room_), marks_.all()});
+  list_.note_change();
+}
+
+void Overlaps::reunite() {
+  if (!resting_.are_parted()) return;
+  resting_.reunite({list_.all(crew_, room_), marks_.all()});
+  list_.note_change();
+}
+
 SlotPairChanges Overlaps::change_candidates(const BodyChanges& changes,
                                             std::span<const FatBoxChange> fat_changes,
                                             const CellTree& cells) {
@@ -91,7 +114,7 @@ FoundPairs Overlaps::test(const BodyChanges& changes, const SlotPairChanges& of_
   const std::span<const SlotPair> candidates = list_.pairs(crew_, room_);
   crew_.plan(candidates.size(), tuning::kTestGuess);
   tests_ += candidates.size();
-  const bool few = changes.moved.size() + changes.inserted.size() < changes.bodies / tuning::kFewFresh;
+  const bool few = do_few_change(changes);
   if (few) mark_fresh(changes, 1);
   const SlotPairChanges found = marks_.refresh(crew_, candidates, of_candidates,
                                                {changes.boxes.data(), few ? fresh_.data() : nullptr}, room_);
@@ -106,6 +129,7 @@ bool Overlaps::choose_few(const BodyChanges& changes) {
 
 void Overlaps::change_cells_of_few(CellTree& cells, const BodyChanges& changes,
                                    std::span<const FatBoxChange> fat_changes) {
+  reunite();
   list_.begin_notes(crew_, room_);
   cells.begin_changes();
   mark_fresh(changes, PairsOfFew::kChanged);
@@ -151,6 +175,7 @@ void Overlaps::clear() {
   marks_ = {};
   few_ = {};
   few_choice_ = {};
+  resting_ = {};
   fresh_ = {};
   room_ = {};
   before_ = {};
@@ -183,8 +208,8 @@ void Overlaps::make_room_for_few(const BodyChanges& changes) {
 }
 
 std::size_t Overlaps::bytes() const {
-  return list_.bytes() + prepared_.bytes() + marks_.bytes() + few_.bytes() + room_.bytes() + before_.bytes() +
-         ended_.bytes() + fresh_.bytes();
+  return list_.bytes() + prepared_.bytes() + marks_.bytes() + resting_.bytes() + few_.bytes() +
+         room_.bytes() + before_.bytes() + ended_.bytes() + fresh_.bytes();
 }
 
 }  // namespace cellsweep::stream

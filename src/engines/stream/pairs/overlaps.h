@@ -18,6 +18,7 @@
 #include "engines/stream/pairs/overlap_marks.h"
 #include "engines/stream/pairs/pair_room.h"
 #include "engines/stream/pairs/pairs_of_few.h"
+#include "engines/stream/pairs/resting_candidates.h"
 
 namespace cellsweep::stream {
 
@@ -53,10 +54,12 @@ class Overlaps {
     prepared_.begin_sort(crew_, before_);
   }
   bool sort_prepared(double share) { return prepared_.sort_until(crew_, share); }
-  void use_prepared() { std::swap(list_, prepared_); }
+  void use_prepared() { list_.swap(prepared_); }
   /// Forgets them, and their memory.
   void drop_prepared() { prepared_ = {}; }
 
+  /// The next two are going to follow: those of two bodies that rest are walked in neither.
+  void begin_walk(const BodyChanges& changes);
   /// Fat boxes changed, and the cells with them. Says which candidates began and ended, valid until the next
   /// update.
   SlotPairChanges change_candidates(const BodyChanges& changes, std::span<const FatBoxChange> fat_changes,
@@ -85,7 +88,7 @@ class Overlaps {
   /// Gives memory back that the next update may ask for again; what was found may lie there no longer.
   [[gnu::cold]] void give_back();
 
-  std::size_t candidates() const { return list_.size(); }
+  std::size_t candidates() const { return list_.size() + resting_.size(); }
   /// Comparisons of two boxes so far.
   std::uint64_t tests() const { return tests_; }
   [[gnu::cold]] std::size_t bytes() const;
@@ -94,6 +97,7 @@ class Overlaps {
   /// What the marks say of the update before.
   enum class Marks { all_overlap, true_of_it, stale };
 
+  void reunite();
   void mark_fresh(const BodyChanges& changes, std::uint8_t mark);
   void mark_fresh(std::span<const FatBoxChange> fat_changes, std::uint8_t mark);
   void repair_marks(const BodyChanges& changes);
@@ -103,6 +107,7 @@ class Overlaps {
   CandidateList list_;
   CandidateList prepared_;
   OverlapMarks marks_;
+  RestingCandidates resting_;  // which are not in the list
   PairsOfFew few_;
   FewChoice few_choice_;
   bool are_pairs_ = true;  // all candidates
