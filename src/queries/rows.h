@@ -35,6 +35,13 @@ inline std::uint32_t keep_seen(const World& world, Slot first, Places& places, s
   return kept;
 }
 
+/// Asks for the first boxes of a cell that will be looked at soon, so many bytes of them.
+inline void prefetch(const stream::CellBoxes& cell, std::size_t bytes) {
+  constexpr std::size_t kCacheLine = 64;
+  const auto* const boxes = reinterpret_cast<const std::byte*>(cell.boxes);
+  for (std::size_t line = 0; line < bytes; line += kCacheLine) __builtin_prefetch(boxes + line);
+}
+
 /// Calls `look(row, first)` for the boxes of a cell, `first` being the place of the row's first box, until it
 /// returns false; then returns false.
 template <class Look>

@@ -92,8 +92,7 @@ class CellPath {
 
   // A cell's boxes are on their way to the cache while those of the one before are looked at.
   void look_later(const Cell& cell, double from) {
-    const auto* const boxes = reinterpret_cast<const std::byte*>(cell.boxes.boxes);
-    for (std::size_t line = 0; line < kPrefetched; line += kCacheLine) __builtin_prefetch(boxes + line);
+    prefetch(cell.boxes, kPrefetched);
     look_at_waiting();
     waiting_ = {&cell, from};
   }
@@ -131,7 +130,6 @@ class CellPath {
     double from = 0;
   };
   static constexpr std::size_t kPrefetched = 256;
-  static constexpr std::size_t kCacheLine = 64;
   static constexpr std::uint64_t kLooksOfCell = 4;
 
   const World& world_;

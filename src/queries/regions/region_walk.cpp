@@ -34,19 +34,35 @@ class RegionWalk {
     });
   }
 
-  // `outer`: on which axes the box starts in the cell that the node is in.
-  bool walk(const Node& node, std::uint32_t outer) {
-    bool goes_on = true;
-    const stream::CellBlock block = node.grid.block_of(box_.first_four(), box_.last_four());
-    node.grid.for_each_cell(block, [&](std::uint32_t index, std::uint32_t inner) {
-      if (!goes_on) return;
-      const Cell& cell = node.cells[index];
-      goes_on = cell.node != nullptr ? walk(*cell.node, outer & inner) : look(cell, outer & inner);
-    });
-    return goes_on;
+  bool walk(const Node& root) {
+    walk(root, stream::kWholeFlags);
+    if (goes_on_) look_at_waiting();
+    return goes_on_;
   }
 
  private:
+  // `outer`: on which axes the box starts in the cell that the node is in.
+  void walk(const Node& node, std::uint32_t outer) {
+    const stream::CellBlock block = node.grid.block_of(box_.first_four(), box_.last_four());
+    node.grid.for_each_cell(block, [&](std::uint32_t index, std::uint32_t inner) {
+      if (!goes_on_) return;
+      const Cell& cell = node.cells[index];
+      if (cell.node != nullptr) return walk(*cell.node, outer & inner);
+      if (cell.boxes.count > 0) look_later(cell, outer & inner);
+    });
+  }
+
+  // A cell's boxes are on their way to the cache while those of the one before are looked at.
+  void look_later(const Cell& cell, std::uint32_t flags) {
+    prefetch(cell.boxes, kPrefetched);
+    look_at_waiting();
+    waiting_ = {&cell, flags};
+  }
+
+  void look_at_waiting() {
+    if (waiting_.cell != nullptr) goes_on_ = look(*waiting_.cell, waiting_.flags);
+  }
+
   // A box and the one asked for may share several cells: that which holds the lower corner of what they share
   // tells of it.
   bool look(const Cell& cell, std::uint32_t flags) {
@@ -67,9 +83,17 @@ class RegionWalk {
 
   bool give(std::uint32_t count) { return count == 0 || take_({places_.data(), count}); }
 
+  /// One whose boxes are looked at next, and on which axes the box starts in it.
+  struct WaitingCell {
+    const Cell* cell = nullptr;
+    std::uint32_t flags = 0;
+  };
+  static constexpr std::size_t kPrefetched = 512;
+
   const QueryKernels& kernels_;
   const RegionBox& box_;
   FunctionRef<bool(std::span<const Slot>)> take_;
+  WaitingCell waiting_;
   bool goes_on_ = true;
   Places places_;  // NOLINT(*-member-init): as far as it is read
 };
@@ -78,7 +102,7 @@ class RegionWalk {
 
 bool walk_region(const World& world, const RegionBox& box, FunctionRef<bool(std::span<const Slot>)> take) {
   RegionWalk walk(world, box, take);
-  if (world.root() != nullptr) return walk.walk(*world.root(), stream::kWholeFlags);
+  if (world.root() != nullptr) return walk.walk(*world.root());
   if (const BoxTree* const tree = world.tree()) return walk.walk(*tree);
   const bool goes_on = walk.scan(world);
   pay_for_tree(world, world.boxes().size());
