@@ -105,22 +105,22 @@ void FatBoxes::drop_slack() {
   slack_ = false;
 }
 
-// Notes who has left `fat_of(slot)`, as `has_left(slot)` says, and how many have.
+// Notes who of those in these places has left `fat_of(slot)`, as `has_left(slot)` says, and how many have.
 template <class FatOf, class HasLeft>
-std::size_t FatBoxes::note_escapes(Crew& crew, std::span<const Slot> moved, const FatOf& fat_of,
+std::size_t FatBoxes::note_escapes(Crew& crew, std::span<const Slot> moved, Share places, const FatOf& fat_of,
                                    const HasLeft& has_left) {
   escapes_.renew(moved.size());
   PerWorker<std::size_t> counts(crew.active());
   crew.run([&](unsigned worker) {
-    const Share share = Share::of(moved.size(), worker, crew.active());
+    const auto [first, last] = Share::of(places.last - places.first, worker, crew.active());
     std::size_t count = 0;
     // Of its own: else what they hold would be read again after each byte that is written.
-    const Slot* const slots = moved.data();
+    const Slot* const slots = moved.data() + places.first;
     const FatOf fat = fat_of;
     const HasLeft is_out = has_left;
-    std::uint8_t* const escapes = escapes_.data();
-    for (std::size_t i = share.first; i < share.last; ++i) {
-      __builtin_prefetch(&fat(slots[std::min(i + tuning::kAhead, share.last - 1)]));
+    std::uint8_t* const escapes = escapes_.data() + places.first;
+    for (std::size_t i = first; i < last; ++i) {
+      __builtin_prefetch(&fat(slots[std::min(i + tuning::kAhead, last - 1)]));
       escapes[i] = is_out(slots[i]) ? 1 : 0;
       count += escapes[i];
     }
@@ -135,7 +135,7 @@ std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
   const SlotBoxes fat(fat_.blocks(), fat_.all().data());
   const Aabb* const boxes = changes.boxes.data();
   return note_escapes(
-      crew, changes.moved, [=](Slot slot) -> const Aabb& { return fat[slot]; },
+      crew, changes.moved, {0, changes.moved.size()}, [=](Slot slot) -> const Aabb& { return fat[slot]; },
       [=](Slot slot) { return !encloses(BoxLanes(fat[slot]), BoxLanes(boxes[slot])); });
 }
 
@@ -176,8 +176,8 @@ void FatBoxes::prepare(Crew& crew, const BodyChanges& changes, Share places, flo
 }
 
 // One that trembles has the fat box that it had when others were prepared: it may have another one now.
-std::size_t FatBoxes::find_escapes_from_prepared(Crew& crew, const BodyChanges& changes,
-                                                 std::span<const Slot> moved, float from) {
+std::size_t FatBoxes::find_escapes_from_prepared(Crew& crew, const BodyChanges& changes, Share places,
+                                                 float from) {
   const auto has_left = [&](Slot slot) {
     const Aabb& fat = prepared_[slot];
     const Aabb& now = changes.boxes[slot];
@@ -185,18 +185,17 @@ std::size_t FatBoxes::find_escapes_from_prepared(Crew& crew, const BodyChanges& 
     return will_have_left(fat, changes.before[slot], now, from);
   };
   return note_escapes(
-      crew, moved, [&](Slot slot) -> const Aabb& { return prepared_[slot]; }, has_left);
+      crew, changes.moved, places, [&](Slot slot) -> const Aabb& { return prepared_[slot]; }, has_left);
 }
 
 std::span<const FatBoxChange> FatBoxes::mend_prepared(Crew& crew, const BodyChanges& changes, Share places,
                                                       float from, float updates) {
-  const std::span<const Slot> moved = changes.moved.subspan(places.first, places.last - places.first);
   mended_.clear();
-  mended_.reserve(find_escapes_from_prepared(crew, changes, moved, from));
+  mended_.reserve(find_escapes_from_prepared(crew, changes, places, from));
   const LaterOutlook outlook = later_outlook(from, updates);
-  for (std::size_t i = 0; i < moved.size(); ++i) {
+  for (std::size_t i = places.first; i < places.last; ++i) {
     if (escapes_.data()[i] == 0) continue;
-    const Slot slot = moved[i];
+    const Slot slot = changes.moved[i];
     const Aabb next = courses_[slot].trembles
                           ? fat_[slot]
                           : later_fat_box_of(changes.before[slot], changes.boxes[slot], outlook);

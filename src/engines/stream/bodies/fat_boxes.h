@@ -117,11 +117,10 @@ class FatBoxes {
   [[gnu::cold]] void judge(Course& course, unsigned age, float step) const;
   static float reach_of(int halvings);
   template <class FatOf, class HasLeft>
-  std::size_t note_escapes(Crew& crew, std::span<const Slot> moved, const FatOf& fat_of,
+  std::size_t note_escapes(Crew& crew, std::span<const Slot> moved, Share places, const FatOf& fat_of,
                            const HasLeft& has_left);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
-  std::size_t find_escapes_from_prepared(Crew& crew, const BodyChanges& changes, std::span<const Slot> moved,
-                                         float from);
+  std::size_t find_escapes_from_prepared(Crew& crew, const BodyChanges& changes, Share places, float from);
   void begin_update(const BodyChanges& changes);
   void renew_all(Crew& crew, const BodyChanges& changes);
   void list(const BodyChanges& changes, std::size_t count);

@@ -56,7 +56,7 @@ Array<SlotPair>& CandidateList::all(Crew& crew, PairRoom& room) {
   return list_.all(room.one);
 }
 
-// Not std::swap: a program of a few kilobytes less.
+// Not std::swap, which would make programs half a kilobyte longer.
 void CandidateList::swap(CandidateList& other) {
   CandidateList one = std::move(*this);
   *this = std::move(other);

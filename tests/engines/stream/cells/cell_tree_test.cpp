@@ -46,6 +46,13 @@ class CellTreeTest : public testing::TestWithParam<unsigned> {
     ASSERT_EQ(keys_in(tree_.found()), truth_of(boxes_));
   }
 
+  /// The same of boxes of a kind, with nobody in each ninth slot.
+  void build_some(const contract::BoxKind& kind, Random& random, std::size_t count) {
+    std::vector<Aabb> boxes = make_boxes(kind, random, count);
+    for (Aabb& box : boxes) box = random.one_in(9) ? kNobody : contract::canonical_box(box);
+    build(boxes);
+  }
+
   /// A body gets another box, comes or goes; kNobody is none.
   void change(Slot slot, const Aabb& box) {
     const bool was = boxes_[slot].min[0] <= boxes_[slot].max[0];
@@ -96,10 +103,8 @@ TEST_P(CellTreeTest, FindsEachPairOnceOnEveryKindOfBoxes) {
   Random random(1);
   for (const contract::BoxKind& kind : contract::box_kinds()) {
     for (const std::size_t count : {1, 2, 7, 8, 9, 100, 700}) {
-      std::vector<Aabb> boxes = make_boxes(kind, random, count);
-      for (Aabb& box : boxes) box = random.one_in(9) ? kNobody : contract::canonical_box(box);
       SCOPED_TRACE(testing::Message() << count << " of kind " << kind);
-      ASSERT_NO_FATAL_FAILURE(build(boxes));
+      ASSERT_NO_FATAL_FAILURE(build_some(kind, random, count));
     }
   }
 }
@@ -166,9 +171,7 @@ TEST_P(CellTreeTest, FollowsBodiesThatMoveComeAndGo) {
   Random random(2);
   for (const contract::BoxKind& kind : contract::box_kinds()) {
     SCOPED_TRACE(testing::Message() << kind);
-    std::vector<Aabb> boxes = make_boxes(kind, random, 400);
-    for (Aabb& box : boxes) box = random.one_in(9) ? kNobody : contract::canonical_box(box);
-    ASSERT_NO_FATAL_FAILURE(build(boxes));
+    ASSERT_NO_FATAL_FAILURE(build_some(kind, random, 400));
     for (int round = 0; round < 8; ++round) {
       const std::size_t seldom = round % 4 == 0 ? 2 : 30;
       for (Slot slot = 0; slot < boxes_.size(); ++slot) {
@@ -188,9 +191,7 @@ TEST_P(CellTreeTest, HasAllPairsThatThereAreOnceSomeBodiesChanged) {
   Random random(6);
   for (const contract::BoxKind& kind : contract::box_kinds()) {
     SCOPED_TRACE(testing::Message() << kind);
-    std::vector<Aabb> boxes = make_boxes(kind, random, 400);
-    for (Aabb& box : boxes) box = random.one_in(9) ? kNobody : contract::canonical_box(box);
-    ASSERT_NO_FATAL_FAILURE(build(boxes));
+    ASSERT_NO_FATAL_FAILURE(build_some(kind, random, 400));
     std::vector<std::uint8_t> changed(boxes_.size(), 0);
     for (int round = 0; round < 4; ++round) {
       for (Slot slot = 0; slot < boxes_.size(); ++slot) {
@@ -210,9 +211,7 @@ TEST_P(CellTreeTest, FollowsBodiesOneByOne) {
   Random random(3);
   for (const contract::BoxKind& kind : contract::box_kinds()) {
     SCOPED_TRACE(testing::Message() << kind);
-    std::vector<Aabb> boxes = make_boxes(kind, random, 300);
-    for (Aabb& box : boxes) box = random.one_in(9) ? kNobody : contract::canonical_box(box);
-    ASSERT_NO_FATAL_FAILURE(build(boxes));
+    ASSERT_NO_FATAL_FAILURE(build_some(kind, random, 300));
     for (int round = 0; round < 200; ++round) {
       const auto slot = static_cast<Slot>(random.below(300));
       change(slot, random.one_in(5) ? kNobody : contract::canonical_box(kind.make(random, slot, 300)));
