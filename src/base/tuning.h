@@ -33,6 +33,15 @@ inline constexpr int kDispatches = 3;
 /// has bad moments no measurement tells: to measure again takes four dispatches, little beside what so many
 /// jobs take that went without workers, and they may have them again within the second.
 inline constexpr std::uint64_t kPatience = 32;
+/// Work that is done by all workers, or by one alone, is done the other way so often in a row after so many
+/// times; after twice as many, and so many at most, where the other way was the slower one. Chosen, not
+/// measured.
+inline constexpr std::uint32_t kTurnsOfTrial = 3;
+inline constexpr std::uint32_t kLeastTurns = 2;
+inline constexpr std::uint32_t kMostTurns = 1024;
+/// All workers are used when they take less than this share of the time of one: what they take besides is
+/// the others'. Chosen, not measured.
+inline constexpr double kLeastGain = 0.95;
 
 // --- seconds of one body or pair on one thread: first guesses, which every update corrects
 // --------------------

@@ -51,8 +51,8 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
     return call();
   }
 
-  Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
-                std::span<const BodyFilter> filters = {}) {
+  [[gnu::noinline]] Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
+                                  std::span<const BodyFilter> filters = {}) {
     return traced("insert", [&] {
       crew_.plan(ids.size(), tuning::kInsertGuess);
       return bodies_.insert(crew_, ids, boxes, filters, parts_.name, capacity_);
@@ -61,7 +61,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   Status set_filters(std::span<const BodyId> ids, std::span<const BodyFilter> filters) {
     return traced("filters", [&] { return bodies_.set_filters(ids, filters); });
   }
-  Status add(std::span<const Aabb> boxes, std::span<BodyId> ids) {
+  [[gnu::noinline]] Status add(std::span<const Aabb> boxes, std::span<BodyId> ids) {
     return traced("insert", [&] {
       crew_.plan(ids.size(), tuning::kInsertGuess);
       return bodies_.add(crew_, boxes, ids, parts_.name, capacity_);

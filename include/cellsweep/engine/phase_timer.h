@@ -20,7 +20,7 @@ class PhaseTimer {
   explicit PhaseTimer(std::vector<Phase>& phases) : phases_(phases) { phases_.clear(); }
 
   /// Everything since the last call, or since construction, was the step of this name.
-  void lap(std::string_view name, PhaseKind kind = PhaseKind::work) {
+  [[gnu::noinline]] void lap(std::string_view name, PhaseKind kind = PhaseKind::work) {
     const Clock::time_point now = Clock::now();
     if (const TimelineRow* row = TimelineRow::current())
       row->timeline->add(row->number, std::string(name), last_, now);

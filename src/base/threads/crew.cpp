@@ -41,6 +41,23 @@ void Crew::plan(std::size_t items, double seconds_of_item) {
   if (++unused_ % tuning::kPatience == 0) dispatch_ = -1;
 }
 
+void Crew::plan(std::size_t items, const WorkCost& cost) {
+  plan(items, cost.seconds());
+  if (choice_ == Choice::by_gain && !cost.by_all()) use(1);
+}
+
+TimedWork::TimedWork(Crew& crew, std::size_t items, WorkCost& cost)
+    : crew_(crew), cost_(nullptr), items_(items) {
+  crew.plan(items, cost);
+  if (static_cast<double>(items) * cost.seconds() < tuning::kTooSmall) return;
+  cost_ = &cost;
+  start_ = WorkCost::Clock::now();
+}
+
+TimedWork::~TimedWork() {
+  if (cost_ != nullptr) cost_->learn(WorkCost::Clock::now() - start_, crew_.active(), items_);
+}
+
 // What a task throws must not pass through an executor that is not ours, whose threads may have
 // floating-point settings of their own.
 void Crew::run_all(Call call, const void* context) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "base/threads/work_cost.h"
 #include "cellsweep/executor.h"
 
 namespace cellsweep {
@@ -32,7 +33,9 @@ class Crew {
   void use(unsigned workers);
 
   /// Chooses the active workers for so many items of work, each of so many seconds on one thread.
-  void plan(std::size_t items, double seconds_of_item);
+  [[gnu::noinline]] void plan(std::size_t items, double seconds_of_item);
+  /// Of which it is known by now what they take; all the same for a number of workers that is given.
+  void plan(std::size_t items, const WorkCost& cost);
 
   /// Calls `job(worker)` once for each active worker and returns when all have returned. Throws what a job
   /// threw, one of them.
@@ -72,6 +75,22 @@ class Crew {
   double missed_ = 0;         // seconds that workers would have saved, had there been any
   double dispatch_ = -1;      // seconds that handing an empty job to all takes, once measured
   std::uint64_t unused_ = 0;  // times that this was too much for work that was worth a try
+};
+
+/// Work of so many items, from here to the end of the block: chooses the workers for it, and learns what it
+/// took, where that is worth two looks at the clock.
+class TimedWork {
+ public:
+  TimedWork(Crew& crew, std::size_t items, WorkCost& cost);
+  TimedWork(const TimedWork&) = delete;
+  TimedWork& operator=(const TimedWork&) = delete;
+  ~TimedWork();
+
+ private:
+  Crew& crew_;
+  WorkCost* cost_;  // null: not worth it
+  std::size_t items_;
+  WorkCost::Clock::time_point start_;
 };
 
 /// The part of 0 ... count - 1 that belongs to one of `workers`, by place.

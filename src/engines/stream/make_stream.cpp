@@ -26,22 +26,25 @@ Status check(const StreamOptions& options) {
   return no_such_isa(options.isa);
 }
 
+[[gnu::cold]] Result<std::unique_ptr<Engine>> make_engine(StreamParts parts, const FinderMaker& make_finder) {
+  if (make_finder) {
+    auto finder = make_finder();
+    if (!finder) return finder.status();
+    parts.finder = std::move(*finder);
+  }
+  return std::unique_ptr<Engine>(std::make_unique<Stream>(std::move(parts)));
+}
+
 }  // namespace
 
 [[gnu::cold]] Result<Broadphase> make_stream_broadphase(const StreamOptions& options, std::string_view name,
                                                         FinderMaker make_finder, std::string row_name) {
   if (Status status = check(options); !status.ok()) return status;
   const auto crew = make_crew(options);
-  const auto make = [crew, options,
-                     make_finder = std::move(make_finder)]() -> Result<std::unique_ptr<Engine>> {
-    StreamParts parts{crew, static_cast<std::size_t>(options.max_pairs), find_kernels(options.isa),
-                      options.margin};
-    if (make_finder) {
-      auto finder = make_finder();
-      if (!finder) return finder.status();
-      parts.finder = std::move(*finder);
-    }
-    return std::unique_ptr<Engine>(std::make_unique<Stream>(std::move(parts)));
+  const auto make = [crew, max_pairs = static_cast<std::size_t>(options.max_pairs),
+                     kernels = find_kernels(options.isa), margin = options.margin,
+                     make_finder = std::move(make_finder)] {
+    return make_engine({crew, max_pairs, kernels, margin}, make_finder);
   };
   return EngineAccess::make({name, make, crew, options.trace, std::move(row_name)});
 }

@@ -24,7 +24,7 @@ bool may_prepare(const BodyChanges& changes) {
 
 // What is prepared before its time is of no use: bodies are not in their next fat boxes yet.
 bool Rebuild::begin_update(const BodyChanges& changes) {
-  started_ = Cost::Clock::now();
+  started_ = WorkCost::Clock::now();
   ++age_;
   if (holds_memory_ && (!may_prepare(changes) || !watch_.see(changes))) drop();
   if (stage_ != kAll || age_ < used_at_) return false;
@@ -33,15 +33,15 @@ bool Rebuild::begin_update(const BodyChanges& changes) {
   return true;
 }
 
-std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped, const Cost& cost) {
+std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped) {
   escaped_ += escaped;
   if (!may_begin_ || !may_prepare(changes)) return 0;
   if (stage_ == kNothing && !begin(changes)) return 0;
-  const Cost::Clock::duration besides = Cost::Clock::now() - started_;
+  const WorkCost::Clock::duration besides = WorkCost::Clock::now() - started_;
   const std::uint32_t part = age_ - first_part_ + 1;
   pace_.note(part, std::chrono::duration<double>(besides).count());
   if (stage_ == kAll) return 0;
-  crew_.plan(changes.bodies / parts(), cost.seconds());
+  crew_.use(workers_);
   placed_ = 0;
   try {
     prepare_until(pace_.due(part), changes);
@@ -63,6 +63,8 @@ bool Rebuild::begin(const BodyChanges& changes) {
   watch_.begin(changes);
   pace_.begin(parts(), shares_.seconds());
   shares_.begin(parts());
+  crew_.plan(changes.bodies / parts(), cost_);
+  workers_ = crew_.active();
   fat_boxes_.begin_prepared(changes.boxes);
   holds_memory_ = true;
   stage_ = kBegun;
@@ -85,9 +87,9 @@ std::uint32_t Rebuild::updates_for_next(const BodyChanges& changes) const {
 /// Does a part of a stage, and notes what it took.
 template <class Work>
 void Rebuild::do_part(RebuildStage stage, const Work& work) {
-  const Cost::Clock::time_point start = Cost::Clock::now();
+  const WorkCost::Clock::time_point start = WorkCost::Clock::now();
   work();
-  shares_.note(stage, std::chrono::duration<double>(Cost::Clock::now() - start).count());
+  shares_.note(stage, std::chrono::duration<double>(WorkCost::Clock::now() - start).count());
 }
 
 void Rebuild::prepare_until(double due, const BodyChanges& changes) {
@@ -109,7 +111,7 @@ void Rebuild::prepare_until(double due, const BodyChanges& changes) {
     stage_ = kCounted;
   }
   if (stage_ == kCounted && prepare_order(due)) {
-    shares_.learn();
+    cost_.learn(std::chrono::duration<double>(shares_.learn()), workers_, changes.bodies);
     stage_ = kAll;
   }
 }

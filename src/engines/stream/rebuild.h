@@ -7,10 +7,11 @@
 #include <cstdint>
 
 #include "base/threads/crew.h"
+#include "base/threads/work_cost.h"
+#include "base/tuning.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/bodies/watch.h"
-#include "engines/stream/cost.h"
 #include "engines/stream/pairs/overlaps.h"
 #include "engines/stream/rebuild_pace.h"
 #include "engines/stream/rebuild_shares.h"
@@ -33,7 +34,7 @@ class Rebuild {
 
   /// Does the next part, in an update that found nothing anew and in which so many bodies left their fat
   /// boxes. Returns how many fat boxes it prepared.
-  std::size_t go_on(const BodyChanges& changes, std::size_t escaped, const Cost& cost);
+  std::size_t go_on(const BodyChanges& changes, std::size_t escaped);
 
   /// Whether some of it is prepared, or room for it held.
   bool is_under_way() const { return holds_memory_; }
@@ -73,8 +74,10 @@ class Rebuild {
   RebuildStage stage_ = kNothing;
   RebuildPace pace_;
   RebuildShares shares_;
-  Cost::Clock::time_point started_;  // this update
-  bool were_prepared_ = false;       // the fat boxes that are in use
+  WorkCost cost_{tuning::kFullGuess};    // of a whole one, for each body
+  unsigned workers_ = 1;                 // in all its parts
+  WorkCost::Clock::time_point started_;  // this update
+  bool were_prepared_ = false;           // the fat boxes that are in use
   bool holds_memory_ = false;
   bool may_begin_ = false;        // the next one, when most fat boxes are going to be left
   double fat_done_ = 0;           // the share of the next fat boxes that are made

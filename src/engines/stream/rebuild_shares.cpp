@@ -25,12 +25,12 @@ double RebuildShares::due_of(RebuildStage stage, double due) const {
 
 // Half of what is learnt is new. A stage in which the system took the core away counts for little more than
 // before, and all stages get some.
-void RebuildShares::learn() {
+double RebuildShares::learn() {
   constexpr double kLeast = 0.01;
   constexpr double kMost = 0.9;
   constexpr double kMoreAtMost = 0.1;
   const double all = std::accumulate(seconds_.begin(), seconds_.end(), 0.0);
-  if (!(all > 0)) return;
+  if (!(all > 0)) return 0;
   mean_ = mean_ > 0 ? (mean_ + all) / 2 : all;
   Stages shares{};
   for (int stage = kFatBoxes; stage <= kAll; ++stage) {
@@ -42,6 +42,7 @@ void RebuildShares::learn() {
   for (double& share : shares) share /= sum;
   std::partial_sum(shares.begin(), shares.end(), done_.begin());
   done_.back() = 1;
+  return all;
 }
 
 }  // namespace cellsweep::stream

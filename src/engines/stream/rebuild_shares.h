@@ -31,8 +31,8 @@ class RebuildShares {
   }
   /// A part of a stage took so long.
   void note(RebuildStage stage, double seconds) { seconds_[stage] += seconds; }
-  /// All stages are done.
-  [[gnu::cold]] void learn();
+  /// All stages are done. Returns what they took, in seconds.
+  [[gnu::cold]] double learn();
   /// What rebuilds took in the mean, the last ones more than others; 0 before the first one.
   double seconds() const { return mean_; }
 

@@ -57,10 +57,10 @@ class Search {
   CellTree& prepared() { return *prepared_; }
   void use_prepared();
   /// Forgets them, and their memory.
-  void drop_prepared();
+  [[gnu::cold]] void drop_prepared();
 
   /// Nobody is left.
-  void clear();
+  [[gnu::cold]] void clear();
   /// The cells stay; memory for work, what was found and prepared goes back.
   [[gnu::cold]] void give_back();
 

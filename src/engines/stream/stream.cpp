@@ -103,7 +103,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
     if (kind == kFull) {
       note_full();
     } else if (!parts_.finder) {
-      changed_ += rebuild_.go_on(changes, fat_boxes_.changes().size(), costs_.full);
+      changed_ += rebuild_.go_on(changes, fat_boxes_.changes().size());
       if (rebuild_.is_under_way()) timer.lap("next cells");
     }
   } catch (const TooManyPairs&) {
@@ -235,7 +235,7 @@ void Stream::note_slack(const BodyChanges& changes) {
 bool Stream::find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPairs& found) {
   const std::size_t count = fat_boxes_.changes().size();
   const PhaseTimer::Clock::time_point start = timer.last();
-  crew_.plan(count, costs_.partial.seconds());
+  crew_.plan(count, costs_.partial);
   if (!search_.change(fat_boxes_.changes())) return false;
   changed_ += count;
   timer.lap("cells");
@@ -260,7 +260,7 @@ FoundPairs Stream::find_prepared(const BodyChanges& changes, Kind& kind, PhaseTi
   slack_cost_.note_made();
   const std::size_t count = fat_boxes_.changes().size();
   if (count > 0) {
-    crew_.plan(count, costs_.partial.seconds());
+    crew_.plan(count, costs_.partial);
     if (!search_.change(fat_boxes_.changes())) {
       kind = kFull;
       return find_anew(changes, 0, timer);
@@ -280,8 +280,8 @@ FoundPairs Stream::find_all(const BodyChanges& changes, std::size_t most_swept, 
 }
 
 FoundPairs Stream::find_anew(const BodyChanges& changes, std::size_t most_swept, PhaseTimer& timer) {
-  const Cost::Clock::time_point start = Cost::Clock::now();
-  crew_.plan(bodies_, costs_.full.seconds());
+  const WorkCost::Clock::time_point start = WorkCost::Clock::now();
+  crew_.plan(bodies_, costs_.full);
   search_.find_all(fat_boxes_, changes.boxes, most_swept);
   changed_ += bodies_;
   timer.lap("cells");
@@ -291,7 +291,7 @@ FoundPairs Stream::find_anew(const BodyChanges& changes, std::size_t most_swept,
     overlaps_.put_in_order();
     timer.lap("sort");
   }
-  costs_.full.learn(Cost::Clock::now() - start, crew_.active(), bodies_);
+  costs_.full.learn(WorkCost::Clock::now() - start, crew_.active(), bodies_);
   const FoundPairs found = overlaps_.compare(changes);
   timer.lap("tests");
   return found;

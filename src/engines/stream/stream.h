@@ -58,7 +58,7 @@ class Stream final : public Engine, public HasFinder {
   enum Kind { kFull, kPartial, kInPlace, kIdle, kKinds };
 
   Kind take(const BodyChanges& changes);
-  FoundPairs find_prepared(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
+  [[gnu::cold]] FoundPairs find_prepared(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
   FoundPairs find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
   [[gnu::cold]] FoundPairs find_none(const BodyChanges& changes);
   bool find_of_few(const BodyChanges& changes, PhaseTimer& timer, FoundPairs& found);

@@ -74,7 +74,7 @@ class FatBoxes {
   /// updates if they keep their course: some tell.
   [[gnu::cold]] bool are_being_left(const BodyChanges& changes, float updates) const;
   /// Forgets them, and their memory.
-  void drop_prepared() {
+  [[gnu::cold]] void drop_prepared() {
     prepared_ = List<Aabb>();
     mended_ = List<FatBoxChange>();
   }

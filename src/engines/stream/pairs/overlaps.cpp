@@ -43,7 +43,7 @@ FoundPairs Overlaps::compare(const BodyChanges& changes) {
     find_changes<SlotPair>(before, now, {}, room_.one, room_.other);
     return {.began = std::as_const(room_.one).view(), .ended = std::as_const(room_.other).view()};
   }
-  crew_.plan(now.size(), tuning::kTestGuess);
+  const TimedWork work(crew_, now.size(), test_cost_);
   marks_.test_all(crew_, now, changes.boxes.data());
   tests_ += now.size();
   const SlotPairChanges found = marks_.compare(before, now, room_);
@@ -57,7 +57,7 @@ void Overlaps::repair_marks(const BodyChanges& changes) {
   if (marks_say_ == Marks::all_overlap) {
     marks_.mark_all(candidates.size());
   } else {
-    crew_.plan(candidates.size(), tuning::kTestGuess);
+    const TimedWork work(crew_, candidates.size(), test_cost_);
     mark_fresh(changes, 1);
     marks_.test_all(crew_, candidates, {changes.boxes.data(), changes.before, fresh_.data()});
     mark_fresh(changes, 0);
@@ -112,7 +112,7 @@ FoundPairs Overlaps::test(const BodyChanges& changes, const SlotPairChanges& of_
   if (are_pairs_) return {.began = of_candidates.began, .ended = of_candidates.ended};
   repair_marks(changes);
   const std::span<const SlotPair> candidates = list_.pairs(crew_, room_);
-  crew_.plan(candidates.size(), tuning::kTestGuess);
+  const TimedWork work(crew_, candidates.size(), test_cost_);
   tests_ += candidates.size();
   const bool few = do_few_change(changes);
   if (few) mark_fresh(changes, 1);

@@ -10,6 +10,8 @@
 #include "base/memory/array.h"
 #include "base/memory/list.h"
 #include "base/threads/crew.h"
+#include "base/threads/work_cost.h"
+#include "base/tuning.h"
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/cell_tree.h"
@@ -56,7 +58,7 @@ class Overlaps {
   bool sort_prepared(double share) { return prepared_.sort_until(crew_, share); }
   void use_prepared() { list_.swap(prepared_); }
   /// Forgets them, and their memory.
-  void drop_prepared() { prepared_ = {}; }
+  [[gnu::cold]] void drop_prepared() { prepared_ = {}; }
 
   /// The next two are going to follow: those of two bodies that rest are walked in neither.
   void begin_walk(const BodyChanges& changes);
@@ -65,7 +67,7 @@ class Overlaps {
   SlotPairChanges change_candidates(const BodyChanges& changes, std::span<const FatBoxChange> fat_changes,
                                     const CellTree& cells);
   /// Tests the candidates, after they changed by `of_candidates`.
-  FoundPairs test(const BodyChanges& changes, const SlotPairChanges& of_candidates);
+  [[gnu::noinline]] FoundPairs test(const BodyChanges& changes, const SlotPairChanges& of_candidates);
 
   /// Everything was found anew, which takes as many steps: the first update of few finds room for its marks.
   void make_room_for_few(const BodyChanges& changes);
@@ -117,6 +119,7 @@ class Overlaps {
   Array<SlotPair> ended_;     // when nobody was left
   List<std::uint8_t> fresh_;  // by slot, 0 between updates
   std::uint64_t tests_ = 0;
+  WorkCost test_cost_{tuning::kTestGuess};
 };
 
 }  // namespace cellsweep::stream

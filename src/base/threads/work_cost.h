@@ -1,0 +1,46 @@
+/// @file
+/// What a kind of work takes, learnt from how long it took before, and by how many workers it is done.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/tuning.h"
+
+namespace cellsweep {
+
+/// What one item of a kind of work takes: by one worker, and by all of them together. Which is less, no
+/// measurement of a dispatch tells: the other threads may sleep, and what they read lies in the caches of the
+/// caller. So the other way is tried now and then, the less often the longer it has been the slower one.
+class WorkCost {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// `first_guess` is in seconds of one worker.
+  explicit WorkCost(double first_guess) : alone_(first_guess) {}
+
+  /// Of an item, by one worker.
+  double seconds() const { return alone_; }
+
+  /// Whether the next work is to be done by all workers, where they are worth their dispatch.
+  bool by_all() const { return by_all_; }
+
+  /// So many items took so long. One late thread must not change a plan.
+  [[gnu::noinline]] void learn(std::chrono::duration<double> elapsed, unsigned workers, std::size_t items);
+
+ private:
+  void note_turn(double sample);
+  [[gnu::cold]] void end_trial();
+
+  double alone_;                 // seconds of an item, by one worker
+  double together_ = 0;          // by all; 0: not known
+  double tried_ = 0;             // the sum of this trial
+  bool is_alone_known_ = false;  // not only by what all took
+  bool by_all_ = true;           // the next work
+  bool is_trial_ = false;        // which is done the other way than usual
+  std::uint32_t turns_ = 0;      // since the last trial began, or ended
+  std::uint32_t patience_ = tuning::kLeastTurns;
+};
+
+}  // namespace cellsweep
