@@ -91,11 +91,14 @@ double seconds_of_frame(Peer& peer, FewMovers& world) {
 }
 
 std::vector<double> time_frames(Peer& peer, FewMovers& world) {
-  UndisturbedFrames frames;
+  std::vector<double> undisturbed;
   double sum = 0;
-  for (std::size_t i = 0; i < kMostFrames && sum < kMostSeconds; ++i)
-    sum += frames.add([&] { return seconds_of_frame(peer, world); });
-  return frames.seconds();
+  for (std::size_t i = 0; i < kMostFrames && sum < kMostSeconds; ++i) {
+    const TimedFrame frame = time_frame([&] { return seconds_of_frame(peer, world); });
+    sum += frame.seconds;
+    if (frame.is_undisturbed) undisturbed.push_back(frame.seconds);
+  }
+  return undisturbed;
 }
 
 std::uint64_t hash_of(std::vector<Pair> pairs) {

@@ -2,13 +2,14 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
+#include <array>
 #include <numeric>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/text.h"
+#include "bench/peers/even_frames.h"
 #include "bench/peers/peer_run.h"
 #include "bench/peers/peer_table.h"
 #include "bench/peers/undisturbed_frames.h"
@@ -25,37 +26,34 @@ std::size_t frames_with(std::size_t bodies) {
 
 constexpr std::size_t kFramesBefore = 24;
 
-/// Each frame over the median of some hundred around it: a world that dissolves takes less with each frame,
-/// and that is not uneven.
-std::vector<double> over_medians_nearby(std::span<const double> frames) {
-  constexpr std::size_t kNearby = 101;
-  const std::size_t count = std::min(kNearby, frames.size());
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const std::size_t first = std::min(i - std::min(i, count / 2), frames.size() - count);
-    const auto nearby = frames.subspan(first, count);
-    ratios.push_back(frames[i] / report::quantile({nearby.begin(), nearby.end()}, 0.5));
+std::vector<double> run_through(const PeerInfo& peer, const PeerSetting& setting) {
+  PeerRun run(peer, setting);
+  for (std::size_t i = 0; i < kFramesBefore; ++i) run.next_frame();
+  std::vector<double> frames(frames_with(setting.bodies));
+  for (double& seconds : frames) {
+    const TimedFrame frame = time_frame([&] { return run.next_frame(); });
+    seconds = frame.is_undisturbed ? frame.seconds : kDisturbed;
   }
-  return ratios;
+  return frames;
 }
 
 void run_row(benchmark::State& state, const PeerInfo& peer, const PeerSetting& setting) {
-  PeerRun run(peer, setting);
-  UndisturbedFrames frames;
-  const std::vector<double>& undisturbed = frames.seconds();
-  const std::size_t count = frames_with(setting.bodies);
+  std::array<std::vector<double>, 3> runs;
+  std::vector<double> frames;
   for (auto _ : state) {
-    for (std::size_t i = 0; i < kFramesBefore; ++i) run.next_frame();
-    for (std::size_t i = 0; i < count; ++i) frames.add([&] { return run.next_frame(); });
-    state.SetIterationTime(report::quantile(undisturbed, 0.5));
+    for (std::vector<double>& run : runs) run = run_through(peer, setting);
+    frames = middle_of(runs);
+    state.SetIterationTime(report::quantile(frames, 0.5));
   }
-  if (undisturbed.empty()) return state.SkipWithError("no frame without an involuntary switch");
-  const std::vector<double> ratios = over_medians_nearby(undisturbed);
-  state.counters["p99"] = 1e6 * report::quantile(undisturbed, 0.99);
+  if (frames.empty()) return state.SkipWithError("each frame had an involuntary switch in two of three runs");
+  const std::vector<double> ratios = over_medians_nearby(frames);
+  std::erase(runs[0], kDisturbed);
+  state.counters["p99"] = 1e6 * report::quantile(frames, 0.99);
   state.counters["p99/median"] = report::quantile(ratios, 0.99);
+  state.counters["p99/median of one run"] = report::quantile(over_medians_nearby(runs[0]), 0.99);
   state.counters["mean/median"] =
       std::accumulate(ratios.begin(), ratios.end(), 0.0) / static_cast<double>(ratios.size());
-  state.counters["frames"] = static_cast<double>(undisturbed.size());
+  state.counters["frames"] = static_cast<double>(frames.size());
 }
 
 void register_row(const PeerInfo& peer, const PeerSetting& setting) {

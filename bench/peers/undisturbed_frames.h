@@ -4,32 +4,26 @@
 
 #include <sys/resource.h>
 
-#include <vector>
-
 namespace cellsweep::bench {
 
-class UndisturbedFrames {
- public:
-  /// Does a frame, which returns the seconds that it took, and keeps these if it was left alone.
-  template <class Frame>
-  double add(const Frame& frame) {
-    const long switches = involuntary_switches();
-    const double seconds = frame();
-    if (involuntary_switches() == switches) seconds_.push_back(seconds);
-    return seconds;
-  }
-
-  const std::vector<double>& seconds() const { return seconds_; }
-
- private:
-  // Of all threads of the process.
-  static long involuntary_switches() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_nivcsw;
-  }
-
-  std::vector<double> seconds_;
+struct TimedFrame {
+  double seconds;
+  bool is_undisturbed;
 };
+
+/// Involuntary switches of all threads of the process.
+inline long involuntary_switches() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_nivcsw;
+}
+
+/// Does a frame, which returns the seconds that it took.
+template <class Frame>
+TimedFrame time_frame(const Frame& frame) {
+  const long switches = involuntary_switches();
+  const double seconds = frame();
+  return {seconds, involuntary_switches() == switches};
+}
 
 }  // namespace cellsweep::bench
