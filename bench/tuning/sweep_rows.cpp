@@ -4,7 +4,7 @@
 #include "base/tuning.h"
 #include "bench/tuning/rows.h"
 #include "engines/stream/kernels/kernel.h"
-#include "engines/stream/sweep/sweep.h"
+#include "engines/stream/search/sweep.h"
 #include "world/random.h"
 
 namespace cellsweep::bench {

@@ -5,7 +5,7 @@
 
 #include "base/tuning.h"
 #include "cellsweep/engine/piece_finder.h"
-#include "engines/stream/sweep/sweep.h"
+#include "engines/stream/search/sweep.h"
 
 namespace cellsweep::one_shot {
 

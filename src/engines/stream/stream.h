@@ -13,13 +13,13 @@
 #include "cellsweep/engine/piece_finder.h"
 #include "cellsweep/stream_view.h"
 #include "engines/stream/bodies/fat_boxes.h"
-#include "engines/stream/cost.h"
-#include "engines/stream/fat_box_choice.h"
-#include "engines/stream/growth_choice.h"
+#include "engines/stream/choices/fat_box_choice.h"
+#include "engines/stream/choices/growth_choice.h"
+#include "engines/stream/choices/slack_cost.h"
+#include "engines/stream/choices/update_costs.h"
 #include "engines/stream/pairs/overlaps.h"
-#include "engines/stream/rebuild.h"
-#include "engines/stream/search.h"
-#include "engines/stream/slack_cost.h"
+#include "engines/stream/rebuild/rebuild.h"
+#include "engines/stream/search/search.h"
 
 namespace cellsweep::stream {
 

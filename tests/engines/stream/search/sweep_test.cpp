@@ -1,7 +1,7 @@
 /// @file
 /// The sweep of small worlds against brute force, on every kind of boxes, with the kernels of every
 /// instruction set.
-#include "engines/stream/sweep/sweep.h"
+#include "engines/stream/search/sweep.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "engines/stream/rebuild_pace.h"
+#include "engines/stream/rebuild/rebuild_pace.h"
 
 #include <algorithm>
 

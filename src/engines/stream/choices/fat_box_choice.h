@@ -9,7 +9,7 @@
 #include "cellsweep/engine/engine.h"
 #include "engines/stream/bodies/fat_box_trial.h"
 #include "engines/stream/bodies/watch.h"
-#include "engines/stream/fat_box_work.h"
+#include "engines/stream/choices/fat_box_work.h"
 
 namespace cellsweep::stream {
 

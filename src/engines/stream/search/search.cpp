@@ -1,4 +1,4 @@
-#include "engines/stream/search.h"
+#include "engines/stream/search/search.h"
 
 #include <algorithm>
 

@@ -1,19 +1,19 @@
 /// @file
 /// When what fat boxes cost, beyond their pairs, is worth making them anew.
-#include "engines/stream/slack_cost.h"
+#include "engines/stream/choices/slack_cost.h"
 
 #include <gtest/gtest.h>
 
 namespace cellsweep::stream {
 namespace {
 
-constexpr std::size_t kInWorld = 1000;
+constexpr std::size_t kInPile = 1000;
 constexpr std::size_t kPairs = 3000;
 
 /// Updates until it is high; at most so many.
 int updates_until_high(SlackCost& cost, std::size_t candidates, int most) {
   for (int update = 0; update < most; ++update) {
-    if (cost.is_high(kInWorld, candidates)) return update;
+    if (cost.is_high(kInPile, candidates)) return update;
     cost.note(candidates, kPairs);
   }
   return most;

@@ -1,4 +1,4 @@
-#include "engines/stream/fat_box_choice.h"
+#include "engines/stream/choices/fat_box_choice.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "engines/stream/sweep/sorted_rows.h"
+#include "engines/stream/search/sorted_rows.h"
 
 #include <algorithm>
 #include <bit>

@@ -8,7 +8,7 @@
 
 #include "base/tuning.h"
 #include "engines/stream/bodies/growth.h"
-#include "engines/stream/fat_box_work.h"
+#include "engines/stream/choices/fat_box_work.h"
 
 namespace cellsweep::stream {
 

@@ -1,6 +1,6 @@
 /// @file
 /// What a few boxes tell of all, before these are swept.
-#include "engines/stream/sweep/number_map.h"
+#include "engines/stream/search/number_map.h"
 
 #include <gmock/gmock.h>
 

@@ -13,9 +13,9 @@
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/bodies/watch.h"
 #include "engines/stream/pairs/overlaps.h"
-#include "engines/stream/rebuild_pace.h"
-#include "engines/stream/rebuild_shares.h"
-#include "engines/stream/search.h"
+#include "engines/stream/rebuild/rebuild_pace.h"
+#include "engines/stream/rebuild/rebuild_shares.h"
+#include "engines/stream/search/search.h"
 
 namespace cellsweep::stream {
 

@@ -1,4 +1,4 @@
-#include "engines/stream/sweep/number_map.h"
+#include "engines/stream/search/number_map.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 /// @file
 /// When fat boxes reach further, and when less far.
-#include "engines/stream/growth_choice.h"
+#include "engines/stream/choices/growth_choice.h"
 
 #include <gtest/gtest.h>
 

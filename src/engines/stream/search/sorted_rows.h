@@ -8,7 +8,7 @@
 
 #include "base/memory/array.h"
 #include "engines/stream/kernels/kernel.h"
-#include "engines/stream/sweep/sweep_row.h"
+#include "engines/stream/search/sweep_row.h"
 
 namespace cellsweep::stream {
 

@@ -1,6 +1,6 @@
 /// @file
 /// How far a rebuild is after each of its updates, where these have more or less to do besides.
-#include "engines/stream/rebuild_pace.h"
+#include "engines/stream/rebuild/rebuild_pace.h"
 
 #include <gmock/gmock.h>
 

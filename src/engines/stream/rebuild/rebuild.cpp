@@ -1,4 +1,4 @@
-#include "engines/stream/rebuild.h"
+#include "engines/stream/rebuild/rebuild.h"
 
 #include <algorithm>
 #include <chrono>

@@ -9,8 +9,8 @@
 #include "base/memory/array.h"
 #include "engines/stream/cells/keys.h"
 #include "engines/stream/kernels/kernel.h"
-#include "engines/stream/sweep/number_map.h"
-#include "engines/stream/sweep/sorted_rows.h"
+#include "engines/stream/search/number_map.h"
+#include "engines/stream/search/sorted_rows.h"
 
 namespace cellsweep::stream {
 

@@ -1,4 +1,4 @@
-#include "engines/stream/sweep/sweep.h"
+#include "engines/stream/search/sweep.h"
 
 #include <algorithm>
 #include <array>

@@ -13,7 +13,7 @@
 #include "cellsweep/engine/piece_finder.h"
 #include "engines/stream/bodies/fat_boxes.h"
 #include "engines/stream/cells/cell_tree.h"
-#include "engines/stream/sweep/sweep.h"
+#include "engines/stream/search/sweep.h"
 
 namespace cellsweep::stream {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "engines/stream/rebuild_pace.h"
+#include "engines/stream/rebuild/rebuild_pace.h"
 
 namespace cellsweep::stream {
 

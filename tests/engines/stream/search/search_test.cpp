@@ -1,6 +1,6 @@
 /// @file
 /// Cells that are prepared for a later update.
-#include "engines/stream/search.h"
+#include "engines/stream/search/search.h"
 
 #include <gmock/gmock.h>
 

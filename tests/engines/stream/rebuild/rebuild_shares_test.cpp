@@ -1,6 +1,6 @@
 /// @file
 /// How the work of a rebuild is shared among updates, as its stages turn out to take.
-#include "engines/stream/rebuild_shares.h"
+#include "engines/stream/rebuild/rebuild_shares.h"
 
 #include <gtest/gtest.h>
 

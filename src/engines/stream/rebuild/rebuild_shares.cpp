@@ -1,4 +1,4 @@
-#include "engines/stream/rebuild_shares.h"
+#include "engines/stream/rebuild/rebuild_shares.h"
 
 #include <algorithm>
 #include <numeric>
