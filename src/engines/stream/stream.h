@@ -88,7 +88,7 @@ class Stream final : public Engine, public HasFinder {
   Overlaps overlaps_;
   Rebuild rebuild_;
   FatBoxChoice fat_box_choice_;
-  Costs costs_;
+  UpdateCosts costs_;
   SlackCost slack_cost_;
   GrowthChoice growth_choice_;
   bool is_anew_ = false;         // this update finds everything, without fat boxes

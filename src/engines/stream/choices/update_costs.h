@@ -11,7 +11,7 @@
 namespace cellsweep::stream {
 
 /// Of a body when everything is found anew, and of one whose fat box changed.
-struct Costs {
+struct UpdateCosts {
   WorkCost full{tuning::kFullGuess};
   WorkCost partial{tuning::kPartialGuess};
 

@@ -67,7 +67,7 @@ bool Rebuild::begin(const BodyChanges& changes) {
   workers_ = crew_.active();
   fat_boxes_.begin_prepared(changes.boxes);
   holds_memory_ = true;
-  stage_ = kBegun;
+  go_to(kBegun);
   return true;
 }
 
@@ -92,8 +92,13 @@ void Rebuild::do_part(RebuildStage stage, const Work& work) {
   shares_.note(stage, std::chrono::duration<double>(WorkCost::Clock::now() - start).count());
 }
 
+void Rebuild::go_to(RebuildStage stage) {
+  stage_ = stage;
+  stage_done_ = 0;
+}
+
 void Rebuild::prepare_until(double due, const BodyChanges& changes) {
-  if (stage_ == kBegun && prepare_fat_boxes(due, changes)) stage_ = kFatBoxes;
+  if (stage_ == kBegun && prepare_fat_boxes(due, changes)) go_to(kFatBoxes);
   const auto fat = fat_boxes_.prepared();
   const Boxes boxes(fat.data(), fat.size());
   if (stage_ == kFatBoxes && shares_.is_due(kListed, due)) {
@@ -101,18 +106,18 @@ void Rebuild::prepare_until(double due, const BodyChanges& changes) {
       overlaps_.put_in_order();  // what was found goes
       search_.begin_prepared(boxes);
     });
-    stage_ = kListed;
+    go_to(kListed);
   }
-  if (stage_ == kListed && fill_cells(due, boxes)) stage_ = kFilled;
-  if (stage_ == kFilled && prepare_cells(due)) stage_ = kCells;
-  if (stage_ == kCells && mend_fat_boxes(due, changes)) stage_ = kMended;
+  if (stage_ == kListed && fill_cells(due, boxes)) go_to(kFilled);
+  if (stage_ == kFilled && prepare_cells(due)) go_to(kCells);
+  if (stage_ == kCells && mend_fat_boxes(due, changes)) go_to(kMended);
   if (stage_ == kMended && shares_.is_due(kCounted, due)) {
     do_part(kCounted, [&] { overlaps_.prepare(search_.prepared().found()); });
-    stage_ = kCounted;
+    go_to(kCounted);
   }
   if (stage_ == kCounted && prepare_order(due)) {
     cost_.learn(std::chrono::duration<double>(shares_.learn()), workers_, changes.bodies);
-    stage_ = kAll;
+    go_to(kAll);
   }
 }
 
@@ -120,12 +125,12 @@ void Rebuild::prepare_until(double due, const BodyChanges& changes) {
 // keeps the fat box that it has.
 bool Rebuild::prepare_fat_boxes(double due, const BodyChanges& changes) {
   const double share = shares_.due_of(kFatBoxes, due);
-  const Share places = places_of(changes, fat_done_, share);
+  const Share places = places_of(changes, stage_done_, share);
   do_part(kFatBoxes, [&] {
     fat_boxes_.prepare(crew_, changes, places, updates_left(), static_cast<float>(next_lasts_));
   });
   placed_ += places.last - places.first;
-  fat_done_ = share;
+  stage_done_ = share;
   return share == 1;
 }
 
@@ -133,7 +138,7 @@ bool Rebuild::prepare_fat_boxes(double due, const BodyChanges& changes) {
 // to make all of these anew.
 bool Rebuild::mend_fat_boxes(double due, const BodyChanges& changes) {
   const double share = shares_.due_of(kMended, due);
-  const Share places = places_of(changes, fat_mended_, share);
+  const Share places = places_of(changes, stage_done_, share);
   bool is_done = true;
   do_part(kMended, [&] {
     const std::span<const FatBoxChange> mended =
@@ -142,7 +147,7 @@ bool Rebuild::mend_fat_boxes(double due, const BodyChanges& changes) {
     is_done = mended.empty() || overlaps_.change_prepared(changes, mended, search_.prepared());
   });
   if (!is_done) throw TooManyPairs();
-  fat_mended_ = share;
+  stage_done_ = share;
   return share == 1;
 }
 
@@ -198,8 +203,7 @@ void Rebuild::note_full() {
 }
 
 void Rebuild::begin_anew() {
-  stage_ = kNothing;
-  fat_done_ = fat_mended_ = 0;
+  go_to(kNothing);
   age_ = 0;
   escaped_ = 0;
 }
@@ -208,8 +212,7 @@ void Rebuild::drop() {
   fat_boxes_.drop_prepared();
   search_.drop_prepared();
   overlaps_.drop_prepared();
-  stage_ = kNothing;
-  fat_done_ = fat_mended_ = 0;
+  go_to(kNothing);
   holds_memory_ = false;
 }
 

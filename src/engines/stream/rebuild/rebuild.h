@@ -56,6 +56,7 @@ class Rebuild {
   /// Until what is prepared is used.
   float updates_left() const { return static_cast<float>(used_at_ - age_); }
   std::uint32_t updates_for_next(const BodyChanges& changes) const;
+  void go_to(RebuildStage stage);
   template <class Work>
   void do_part(RebuildStage stage, const Work& work);
   [[gnu::cold]] void prepare_until(double due, const BodyChanges& changes);
@@ -79,13 +80,12 @@ class Rebuild {
   WorkCost::Clock::time_point started_;  // this update
   bool were_prepared_ = false;           // the fat boxes that are in use
   bool holds_memory_ = false;
-  bool may_begin_ = false;        // the next one, when most fat boxes are going to be left
-  double fat_done_ = 0;           // the share of the next fat boxes that are made
-  double fat_mended_ = 0;         // and of those that were looked at again
-  std::size_t placed_ = 0;        // boxes in this update
-  std::uint64_t copies_ = 0;      // boxes placed in the next cells,
-  std::uint64_t built_ = 0;       // and so many of them in cells that are made
-  std::uint32_t age_ = 0;         // updates since the fat boxes in use were put in their place,
+  bool may_begin_ = false;    // the next one, when most fat boxes are going to be left
+  double stage_done_ = 0;     // the share of the fat boxes that are made in this stage, or looked at again
+  std::size_t placed_ = 0;    // boxes in this update
+  std::uint64_t copies_ = 0;  // boxes placed in the next cells,
+  std::uint64_t built_ = 0;   // and so many of them in cells that are made
+  std::uint32_t age_ = 0;     // updates since the fat boxes in use were put in their place,
   std::uint32_t first_part_ = 0;  // that age when the next ones were begun,
   std::uint32_t used_at_ = 0;     // and when they will be used,
   std::uint32_t lasts_ = 0;       // which takes so many updates
