@@ -92,8 +92,10 @@ TEST(WorkCost, TheFirstTurnOfATrialDoesNotCount) {
 
 TEST(WorkCost, OfACallerWithoutOthersStaysThat) {
   WorkCost cost(100e-9);
-  for (int i = 0; i < 1000; ++i) cost.learn(microseconds(100), 1, kItems);
-  EXPECT_TRUE(cost.by_all()) << "nothing was tried, so nothing is known of them";
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_TRUE(cost.by_all()) << "nothing was tried, so nothing is known of them";
+    cost.learn(microseconds(100), 1, kItems);
+  }
 }
 
 /// Runs tasks one after the other, so that all are never quicker than one.
