@@ -21,8 +21,7 @@ inline constexpr double kDisturbed = std::numeric_limits<double>::infinity();
 inline std::vector<double> middle_of(const std::array<std::vector<double>, 3>& runs) {
   std::vector<double> frames;
   for (std::size_t i = 0; i < runs[0].size(); ++i) {
-    const double middle =
-        std::max(std::min(runs[0][i], runs[1][i]), std::min(std::max(runs[0][i], runs[1][i]), runs[2][i]));
+    const double middle = report::quantile({runs[0][i], runs[1][i], runs[2][i]}, 0.5);
     if (middle != kDisturbed) frames.push_back(middle);
   }
   return frames;

@@ -15,7 +15,7 @@
 #include "bench/peers/grid_oracle.h"
 #include "bench/peers/peer_mode.h"
 #include "bench/peers/peer_table.h"
-#include "bench/peers/undisturbed_frames.h"
+#include "bench/peers/timed_frame.h"
 #include "bench/timed_row.h"
 #include "cellsweep/world/frame_source.h"
 #include "cellsweep/world/scene.h"

@@ -12,7 +12,7 @@
 #include "bench/peers/even_frames.h"
 #include "bench/peers/peer_run.h"
 #include "bench/peers/peer_table.h"
-#include "bench/peers/undisturbed_frames.h"
+#include "bench/peers/timed_frame.h"
 #include "bench/timed_row.h"
 #include "report/quantile.h"
 

@@ -51,6 +51,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
     return call();
   }
 
+  // Not inlined, nor is add(), for the size of programs: several calls come down to each.
   [[gnu::noinline]] Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
                                   std::span<const BodyFilter> filters = {}) {
     return traced("insert", [&] {

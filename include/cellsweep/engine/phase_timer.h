@@ -19,7 +19,8 @@ class PhaseTimer {
 
   explicit PhaseTimer(std::vector<Phase>& phases) : phases_(phases) { phases_.clear(); }
 
-  /// Everything since the last call, or since construction, was the step of this name.
+  /// Everything since the last call, or since construction, was the step of this name. Not inlined: what a
+  /// timeline needs would be in a program once for each step.
   [[gnu::noinline]] void lap(std::string_view name, PhaseKind kind = PhaseKind::work) {
     const Clock::time_point now = Clock::now();
     if (const TimelineRow* row = TimelineRow::current())

@@ -42,8 +42,8 @@ void Crew::plan(std::size_t items, double seconds_of_item) {
 }
 
 void Crew::plan(std::size_t items, const WorkCost& cost) {
+  if (choice_ == Choice::by_gain && !cost.by_all()) return use(1);
   plan(items, cost.seconds());
-  if (choice_ == Choice::by_gain && !cost.by_all()) use(1);
 }
 
 TimedWork::TimedWork(Crew& crew, std::size_t items, WorkCost& cost)

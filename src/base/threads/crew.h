@@ -32,7 +32,8 @@ class Crew {
   unsigned active() const { return active_; }
   void use(unsigned workers);
 
-  /// Chooses the active workers for so many items of work, each of so many seconds on one thread.
+  /// Chooses the active workers for so many items of work, each of so many seconds on one thread. Not
+  /// inlined, for the size of programs.
   [[gnu::noinline]] void plan(std::size_t items, double seconds_of_item);
   /// Of which it is known by now what they take; all the same for a number of workers that is given.
   void plan(std::size_t items, const WorkCost& cost);

@@ -6,14 +6,20 @@ namespace cellsweep {
 namespace {
 
 // One late thread must not change a plan.
-void approach(double& seconds, double sample) {
-  seconds += 0.25 * (std::clamp(sample, seconds / 4, seconds * 2) - seconds);
+double limited(double sample, double known) {
+  return std::clamp(sample, known / 4, known * 2);
+}
+
+void approach(double& known, double sample) {
+  known += 0.25 * (limited(sample, known) - known);
 }
 
 }  // namespace
 
-// Until one worker has been tried alone, it is taken to need as many times as long as there are workers.
+// Until one worker has been tried alone, it is taken to need as many times as long as there are workers. What
+// takes less than the clock can tell, and nothing at all, say nothing.
 void WorkCost::learn(std::chrono::duration<double> elapsed, unsigned workers, std::size_t items) {
+  if (items == 0 || !(elapsed.count() > 0)) return;
   const double sample = elapsed.count() / static_cast<double>(items);
   const bool by_all = workers > 1;
   if (by_all && together_ == 0) together_ = sample;
@@ -26,7 +32,7 @@ void WorkCost::learn(std::chrono::duration<double> elapsed, unsigned workers, st
 void WorkCost::note_turn(double sample) {
   ++turns_;
   if (is_trial_) {
-    if (turns_ > 1) tried_ += sample;
+    if (turns_ > 1) tried_ += limited(sample, by_all_ ? together_ : alone_);
     if (turns_ == tuning::kTurnsOfTrial) end_trial();
   } else if (turns_ >= patience_) {
     is_trial_ = true;

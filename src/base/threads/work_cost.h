@@ -26,7 +26,7 @@ class WorkCost {
   /// Whether the next work is to be done by all workers, where they are worth their dispatch.
   bool by_all() const { return by_all_; }
 
-  /// So many items took so long. One late thread must not change a plan.
+  /// So many items took so long. Not inlined, for the size of programs.
   [[gnu::noinline]] void learn(std::chrono::duration<double> elapsed, unsigned workers, std::size_t items);
 
  private:

@@ -90,6 +90,32 @@ TEST(WorkCost, TheFirstTurnOfATrialDoesNotCount) {
   EXPECT_LT(work(cost, 1000, microseconds(70), microseconds(90)), 20);
 }
 
+// Not even in a trial, of which there are few turns.
+TEST(WorkCost, OneLateThreadChangesLittle) {
+  for (int late = 0; late < 40; ++late) {
+    WorkCost cost(100e-9);
+    for (int turn = 0; turn < 40; ++turn) {
+      const bool all = cost.by_all();
+      const int usual = all ? 60 : 100;
+      cost.learn(microseconds(turn == late ? 1000 * usual : usual), all ? kWorkers : 1, kItems);
+    }
+    EXPECT_LT(cost.seconds(), 200e-9) << "late in turn " << late;
+    work(cost, 100, microseconds(100), microseconds(60));
+    EXPECT_GT(work(cost, 1000, microseconds(100), microseconds(60)), 950) << "late in turn " << late;
+  }
+}
+
+TEST(WorkCost, LearnsNothingFromNothing) {
+  WorkCost cost(100e-9);
+  work(cost, 20, microseconds(100), microseconds(60));
+  const double before = cost.seconds();
+  for (int turn = 0; turn < 20; ++turn) cost.learn(microseconds(5), cost.by_all() ? kWorkers : 1, 0);
+  EXPECT_EQ(cost.seconds(), before);
+  work(cost, 20, microseconds(0), microseconds(0));
+  work(cost, 200, microseconds(100), microseconds(60));
+  EXPECT_NEAR(cost.seconds(), 100e-9, 5e-9) << "what took less than the clock can tell is not lost for good";
+}
+
 TEST(WorkCost, OfACallerWithoutOthersStaysThat) {
   WorkCost cost(100e-9);
   for (int i = 0; i < 1000; ++i) {

@@ -43,8 +43,10 @@ FoundPairs Overlaps::compare(const BodyChanges& changes) {
     find_changes<SlotPair>(before, now, {}, room_.one, room_.other);
     return {.began = std::as_const(room_.one).view(), .ended = std::as_const(room_.other).view()};
   }
-  const TimedWork work(crew_, now.size(), test_cost_);
-  marks_.test_all(crew_, now, changes.boxes.data());
+  {
+    const TimedWork work(crew_, now.size(), test_cost_);
+    marks_.test_all(crew_, now, changes.boxes.data());
+  }
   tests_ += now.size();
   const SlotPairChanges found = marks_.compare(before, now, room_);
   return {.began = found.began, .ended = found.ended};

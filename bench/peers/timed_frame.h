@@ -1,5 +1,5 @@
 /// @file
-/// Frames in which the operating system took no core from the process.
+/// What a frame took, and whether the operating system took a core from the process meanwhile.
 #pragma once
 
 #include <sys/resource.h>
