@@ -83,6 +83,8 @@ TEST_F(RefusedQueries, WhatIsBeyondFloatsOnAnyAxis) {
     Ray ray;
     ray.direction[axis] = -std::numeric_limits<float>::max();
     EXPECT_TRUE(queries_.any_touch(ray).ok()) << axis;
+    ray.direction[(axis + 1) % 3] = std::numeric_limits<float>::max();
+    EXPECT_TRUE(queries_.any_touch(ray).ok()) << axis << ": each fits, and their sum does not";
     ray.direction[axis] = -3.5e38;
     EXPECT_EQ(queries_.any_touch(ray).status().code, StatusCode::bad_input) << axis;
     ray.direction[axis] = std::nan("");
