@@ -80,7 +80,7 @@ template <class T, std::byte* (*kTake)(std::size_t, std::size_t) = take_memory>
 struct Allocator {
   using value_type = T;
   template <class Other>
-  struct rebind {
+  struct rebind {  // NOLINT(readability-identifier-naming): the standard's name
     using other = Allocator<Other, kTake>;
   };
 

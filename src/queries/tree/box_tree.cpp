@@ -18,8 +18,8 @@ class NodeFiller {
       : cuts_(cuts), entries_(entries), nodes_(nodes), places_(places) {}
 
   void fill() {
-    add(cuts_[0]);
-    for (std::uint32_t number = 0; number < nodes_.size(); ++number) fill(number, *from_[number]);
+    add(0);
+    for (std::uint32_t number = 0; number < nodes_.size(); ++number) fill(number, cuts_[from_[number]]);
   }
   /// Of all nodes but the topmost.
   double reach() const { return reach_; }
@@ -31,24 +31,25 @@ class NodeFiller {
     unsigned place = 0;
   };
 
-  std::uint32_t add(const BinaryNode& from) {
-    from_.push_back(&from);
+  std::uint32_t add(std::uint32_t from) {
+    from_.push_back(from);
     return add_node(nodes_);
   }
 
   void fill(std::uint32_t number, const BinaryNode& from) {
     Filling filling{number};
     if (from.fits()) return put_bodies(filling, from);
-    put(filling, cuts_[from.sides], from.first_of_all);
-    put(filling, cuts_[from.sides + 1], BinaryNode::kPlaces - from.first_of_all);
+    put(filling, from.sides, from.first_of_all);
+    put(filling, from.sides + 1, BinaryNode::kPlaces - from.first_of_all);
   }
 
-  void put(Filling& filling, const BinaryNode& from, unsigned places) {
+  void put(Filling& filling, std::uint32_t number, unsigned places) {
+    const BinaryNode& from = cuts_[number];
     if (from.fits() && from.count <= places) return put_bodies(filling, from);
     const unsigned first = from.first_gets[places - 1];
-    if (first == 0) return put_node(filling, from.range, add(from));
-    put(filling, cuts_[from.sides], first);
-    put(filling, cuts_[from.sides + 1], places - first);
+    if (first == 0) return put_node(filling, from.range, add(number));
+    put(filling, from.sides, first);
+    put(filling, from.sides + 1, places - first);
   }
 
   void put_bodies(Filling& filling, const BinaryNode& from) {
@@ -77,7 +78,7 @@ class NodeFiller {
   std::span<const TreeEntry> entries_;
   TreeNodes& nodes_;
   Vector<std::uint32_t>& places_;
-  Vector<const BinaryNode*> from_;  // by node: what it is made of
+  Vector<std::uint32_t> from_;  // by node: the place of what it is made of
   double reach_ = 0;
 };
 
