@@ -16,13 +16,12 @@ namespace cellsweep::queries {
 
 /// One that moves, and not beyond floats.
 inline bool is_direction(const std::array<double, 3>& direction) {
-  bool moves = false;
-  bool fits = true;
-  for (const double d : direction) {
-    moves = moves || d != 0;
-    fits = fits && std::fabs(d) <= FLT_MAX;
-  }
-  return moves && fits;
+  const double x = std::fabs(direction[0]);
+  const double y = std::fabs(direction[1]);
+  const double z = std::fabs(direction[2]);
+  const double sum = x + y + z;  // NaN where one is
+  // Where the sum fits so does each: one comparison for most directions.
+  return sum > 0 && (sum <= FLT_MAX || (x <= FLT_MAX && y <= FLT_MAX && z <= FLT_MAX));
 }
 
 inline bool is_good(const Aabb& box) {
@@ -32,11 +31,7 @@ inline bool is_good(const Region& region) {
   return is_good(region.box) && region.distance >= 0;
 }
 inline bool is_good(const Path& path) {
-  // Most directions are told to be good by their sum, in a third of the steps: it is NaN where one is.
-  const auto& [x, y, z] = path.direction;
-  const double sum = std::fabs(x) + std::fabs(y) + std::fabs(z);
-  const bool is_usual = sum > 0 && sum <= FLT_MAX;
-  return is_good(path.box) && (is_usual || is_direction(path.direction)) && path.end >= 0;
+  return is_good(path.box) && is_direction(path.direction) && path.end >= 0;
 }
 
 /// An ok status for a good question. `place` is that of the question in a batch.
