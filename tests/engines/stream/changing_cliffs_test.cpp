@@ -23,8 +23,8 @@ namespace {
 
 using contract::Random;
 
-constexpr std::size_t kBodies = 2600 / kScale;
-constexpr int kUpdates = 8;
+constexpr std::size_t kChangingBodies = 2600 / kScale;
+constexpr int kChangingUpdates = 8;
 /// Overlaps for each body from which on a world is a heap, whose pairs are its cost.
 constexpr std::size_t kHeap = 40;
 
@@ -33,7 +33,7 @@ struct Change {
   CrowdedWorld before;
   CrowdedWorld after;
   std::size_t every = 1;    ///< one body in so many changes in an update
-  bool leaps = false;       ///< at once; else all of kUpdates long
+  bool leaps = false;       ///< at once; else all of kChangingUpdates long
   std::size_t still = 0;    ///< one body in so many is static; none where 0
   std::size_t groups = 1;   ///< bodies meet those of their own group
   std::size_t staying = 0;  ///< updates at the end in which bodies tremble where they are
@@ -54,7 +54,7 @@ Change random_change(Random& random) {
   change.leaps = random.one_in(2);
   change.still = random.one_in(2) ? 0 : 1 + random.below(4);
   change.groups = random.one_in(2) ? 1 : 1 + random.below(6);
-  change.staying = random.below(kUpdates);
+  change.staying = random.below(kChangingUpdates);
   return change;
 }
 
@@ -99,8 +99,8 @@ class Life {
   explicit Life(const Change& change)
       : change_(change),
         random_(11),
-        from_(boxes_of(change.before, kBodies)),
-        to_(boxes_of(change.after, kBodies)) {
+        from_(boxes_of(change.before, kChangingBodies)),
+        to_(boxes_of(change.after, kChangingBodies)) {
     from_.resize(std::min(from_.size(), to_.size()));
     to_.resize(from_.size());
     boxes_ = from_;
@@ -129,9 +129,10 @@ class Life {
 
  private:
   Aabb box_at(std::size_t body, std::size_t update) {
-    const std::size_t arrival = kUpdates - change_.staying;
+    const std::size_t arrival = kChangingUpdates - change_.staying;
     if (change_.leaps && update < arrival) return update % 2 == 0 ? from_[body] : to_[body];
-    if (update < arrival) return between(from_[body], to_[body], static_cast<float>(update) / kUpdates);
+    if (update < arrival)
+      return between(from_[body], to_[body], static_cast<float>(update) / kChangingUpdates);
     return between(boxes_[body], to_[body], 1e-4F * random_.unit());
   }
 
@@ -190,7 +191,7 @@ double work_of(const Change& change) {
   Life life(change);
   Watched engine(life);
   double most = engine.update({}, life.boxes());
-  for (std::size_t update = 1; update <= kUpdates && most >= 0; ++update) {
+  for (std::size_t update = 1; update <= kChangingUpdates && most >= 0; ++update) {
     const std::vector<BodyId> movers = life.go_on(update);
     const double work = engine.update(movers, life.boxes());
     most = work < 0 ? work : std::max(most, work);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "cellsweep/function_ref.h"
 #include "engines/stream/cells/tree_build.h"
@@ -42,12 +41,14 @@ bool TreeChanger::is_of_one_block(const Visit& visit, const Blocks& blocks) {
 }
 
 void TreeChanger::count_visits(const Visit& visit, const Blocks& blocks, const Grid& grid,
-                               std::uint32_t* counts) {
-  const auto count = [&](const CellBlock& block) {
-    grid.for_each_cell(block, [&](std::uint32_t cell, std::uint32_t) { ++counts[cell]; });
-  };
-  count(visit.old_flags != 0 ? blocks.was : blocks.is);
-  if (!is_of_one_block(visit, blocks)) count(blocks.is);
+                               CellPlaces::OfWorker places) {
+  const CellBlock* block = visit.old_flags != 0 ? &blocks.was : &blocks.is;
+  const CellBlock* const last = is_of_one_block(visit, blocks) ? block : &blocks.is;
+  while (true) {
+    grid.for_each_cell(*block, [&](std::uint32_t cell, std::uint32_t) { places.count(cell); });
+    if (block == last) return;
+    block = last;
+  }
 }
 
 // Visits of the cells inside: of those it was in first, and then of those it is in now, unless they are the
@@ -73,54 +74,38 @@ void TreeChanger::for_each_visit(const Visit& visit, const Blocks& blocks, const
 }
 
 void TreeChanger::put_visits(const Visit& visit, const Blocks& blocks, const Grid& grid,
-                             std::uint32_t* places, Visit* to) {
+                             CellPlaces::OfWorker places, Visit* to) {
   for_each_visit(visit, blocks, grid,
-                 [=](std::uint32_t cell, const Visit& inside) { to[places[cell]++] = inside; });
+                 [&](std::uint32_t cell, const Visit& inside) { to[places.next(cell)] = inside; });
 }
 
 void TreeChanger::change(std::span<const FatBoxChange> changes, Node& root) {
   changes_ = changes;
-  const std::uint32_t cells = root.grid.cells();
   const unsigned workers = crew_.active();
   Arena& scratch = scratches_[0]->job;
-  auto* places = scratch.take<std::uint32_t>(std::size_t{workers} * cells);
-  auto* first = scratch.take<std::uint32_t>(std::size_t{cells} + 1);
+  CellPlaces places(scratch, workers, root.grid.cells());
   auto* blocks = scratch.take<Blocks>(changes.size());
-  std::fill_n(places, std::size_t{workers} * cells, 0);
   const auto for_share = [&](unsigned worker, auto&& visit) {
     const Share share = Share::of(changes.size(), worker, workers);
     for (std::size_t i = share.first; i < share.last; ++i) visit(first_visit(changes[i], i), blocks[i]);
   };
   crew_.run([&](unsigned worker) {
-    std::uint32_t* counts = places + std::size_t{worker} * cells;
-    for_share(worker, [&](const Visit& visit, Blocks& there) {
+    for_share(worker, [&, mine = places.of(worker)](const Visit& visit, Blocks& there) {
       there = blocks_of(visit, root.grid);
-      count_visits(visit, there, root.grid, counts);
+      count_visits(visit, there, root.grid, mine);
     });
   });
-  check_visits(std::accumulate(places, places + std::size_t{workers} * cells, std::uint64_t{0}),
-               *scratches_[0]);
-  std::uint32_t prefix_sum = 0;
-  for (std::uint32_t cell = 0; cell < cells; ++cell) {
-    first[cell] = prefix_sum;
-    for (unsigned worker = 0; worker < workers; ++worker) {
-      std::uint32_t& place = places[std::size_t{worker} * cells + cell];
-      const std::uint32_t count = place;
-      place = prefix_sum;
-      prefix_sum += count;
-    }
-  }
-  first[cells] = prefix_sum;
-  auto* visits = scratch.take<Visit>(prefix_sum);
+  const std::uint64_t count = places.lay_out();
+  check_visits(count, *scratches_[0]);
+  auto* visits = scratch.take<Visit>(count);
   crew_.run([&](unsigned worker) {
-    std::uint32_t* place = places + std::size_t{worker} * cells;
-    for_share(worker, [&](const Visit& visit, const Blocks& there) {
-      put_visits(visit, there, root.grid, place, visits);
+    for_share(worker, [&, mine = places.of(worker)](const Visit& visit, const Blocks& there) {
+      put_visits(visit, there, root.grid, mine, visits);
     });
   });
-  crew_.for_each(cells, 8, [&](unsigned worker, std::size_t cell) {
-    const std::span<Visit> here(visits + first[cell], first[cell + 1] - first[cell]);
-    if (!here.empty()) change_cell(here, root.cells[cell], *scratches_[worker]);
+  crew_.for_each(places.runs().size(), 8, [&](unsigned worker, std::size_t i) {
+    const CellPlaces::Run& run = places.runs()[i];
+    change_cell({visits + run.first, run.count}, root.cells[run.cell], *scratches_[worker]);
   });
 }
 
@@ -182,25 +167,20 @@ void TreeChanger::change_cell(std::span<Visit> visits, Cell& cell, Scratch& scra
 }
 
 void TreeChanger::change_node(std::span<const Visit> visits, Node& node, Scratch& scratch) const {
-  const std::uint32_t cells = node.grid.cells();
-  auto* place = scratch.job.take<std::uint32_t>(std::size_t{cells} + 1);
+  CellPlaces places(scratch.job, 1, node.grid.cells());
   auto* blocks = scratch.job.take<Blocks>(visits.size());
-  std::fill_n(place, std::size_t{cells} + 1, 0);
   for (std::size_t i = 0; i < visits.size(); ++i) {
     blocks[i] = blocks_of(visits[i], node.grid);
-    count_visits(visits[i], blocks[i], node.grid, place + 1);
+    count_visits(visits[i], blocks[i], node.grid, places.of(0));
   }
-  check_visits(std::accumulate(place, place + cells + 1, std::uint64_t{0}), scratch);
-  for (std::uint32_t cell = 0; cell < cells; ++cell) place[cell + 1] += place[cell];
-  auto* inside = scratch.job.take<Visit>(place[cells]);
+  const std::uint64_t count = places.lay_out();
+  check_visits(count, scratch);
+  auto* inside = scratch.job.take<Visit>(count);
   for (std::size_t i = 0; i < visits.size(); ++i) {
-    put_visits(visits[i], blocks[i], node.grid, place, inside);
+    put_visits(visits[i], blocks[i], node.grid, places.of(0), inside);
   }
-  std::uint32_t first = 0;
-  for (std::uint32_t cell = 0; cell < cells; ++cell) {
-    if (place[cell] > first) change_cell({inside + first, place[cell] - first}, node.cells[cell], scratch);
-    first = place[cell];
-  }
+  for (const CellPlaces::Run& run : places.runs())
+    change_cell({inside + run.first, run.count}, node.cells[run.cell], scratch);
 }
 
 void TreeChanger::make_room(CellBoxes& cell, std::uint32_t more, Scratch& scratch) const {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "engines/stream/cells/cell_places.h"
 #include "engines/stream/cells/cell_tree.h"
 
 namespace cellsweep::stream {
@@ -43,10 +44,9 @@ class TreeChanger {
   Blocks blocks_of(const Visit& visit, const Grid& grid) const;
   static bool is_of_one_block(const Visit& visit, const Blocks& blocks);
   [[gnu::noinline]] static void count_visits(const Visit& visit, const Blocks& blocks, const Grid& grid,
-                                             std::uint32_t* counts);
-  /// Each at the place for the next one of its cell.
+                                             CellPlaces::OfWorker places);
   [[gnu::noinline]] static void put_visits(const Visit& visit, const Blocks& blocks, const Grid& grid,
-                                           std::uint32_t* places, Visit* to);
+                                           CellPlaces::OfWorker places, Visit* to);
   template <class Emit>
   static void for_each_visit(const Visit& visit, const Blocks& blocks, const Grid& grid, Emit&& emit);
   void change_node(std::span<const Visit> visits, Node& node, Scratch& scratch) const;

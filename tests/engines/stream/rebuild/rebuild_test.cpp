@@ -20,7 +20,7 @@ namespace {
 
 using contract::Random;
 
-constexpr std::size_t kBodies = 3000 / kScale;
+constexpr std::size_t kRebuiltBodies = 3000 / kScale;
 
 void update_all(Broadphase& engine, const Courses& courses) {
   move_every(engine, courses.boxes(), 1);
@@ -88,7 +88,7 @@ TEST_P(RebuildTest, IsDoneInTimeWhereTheLastCellsAreEmpty) {
 }
 
 TEST_P(RebuildTest, IsNotBegunWhereBodiesCreepAndFatBoxesLast) {
-  Courses courses(kBodies, 6);
+  Courses courses(kRebuiltBodies, 6);
   Broadphase engine = engine_of(courses);
   std::vector<Aabb> boxes = courses.boxes();
   for (int frame = 0; frame < 40; ++frame) {
@@ -97,8 +97,9 @@ TEST_P(RebuildTest, IsNotBegunWhereBodiesCreepAndFatBoxesLast) {
     ASSERT_TRUE(engine.update().ok());
   }
   EXPECT_TRUE(is_exact(engine, boxes));
-  const std::uint64_t at_once = counter(engine, "full updates") * kBodies;
-  EXPECT_LT(counter(engine, "fat boxes put into cells"), at_once + kBodies / 10) << "or a part at a time";
+  const std::uint64_t at_once = counter(engine, "full updates") * kRebuiltBodies;
+  EXPECT_LT(counter(engine, "fat boxes put into cells"), at_once + kRebuiltBodies / 10)
+      << "or a part at a time";
 }
 
 // All fat boxes are as old, and are left within few updates after many in which hardly anybody did.
@@ -172,15 +173,15 @@ TEST_P(RebuildTest, PreparesTheNextFatBoxOfEachBodyOnce) {
 // They leap, turn and stop, some are taken out and put in again, static for a while.
 TEST_P(RebuildTest, IsExactWhateverBodiesDoInTheMeantime) {
   for (const std::size_t quiet : {1, 3, 5, 11}) {
-    Courses courses(kBodies, quiet);
+    Courses courses(kRebuiltBodies, quiet);
     Broadphase engine = engine_of(courses);
     Random& random = courses.random();
     for (std::size_t frame = 0; frame < 70; ++frame) {
       courses.go_on();
-      for (std::size_t i = 0; i < kBodies / 100; ++i) courses.turn(random.below(kBodies));
-      courses.leap(random.below(kBodies));
+      for (std::size_t i = 0; i < kRebuiltBodies / 100; ++i) courses.turn(random.below(kRebuiltBodies));
+      courses.leap(random.below(kRebuiltBodies));
       if (frame % quiet == 0 && frame > 20) {
-        const auto body = static_cast<BodyId>(random.below(kBodies));
+        const auto body = static_cast<BodyId>(random.below(kRebuiltBodies));
         ASSERT_TRUE(engine.remove({&body, 1}).ok());
         if (frame % 2 == 0) {
           ASSERT_TRUE(engine.update().ok());
@@ -200,13 +201,13 @@ TEST_P(RebuildTest, IsExactWhateverBodiesDoInTheMeantime) {
 }
 
 TEST_P(RebuildTest, TellsWhatIsStaticFromWhatIsNot) {
-  Courses courses(kBodies, 6);
+  Courses courses(kRebuiltBodies, 6);
   Broadphase engine = engine_of(courses);
-  std::vector<BodyFilter> filters(kBodies);
+  std::vector<BodyFilter> filters(kRebuiltBodies);
   for (int frame = 0; frame < 40; ++frame) {
     if (frame % 13 == 12) {
       for (BodyFilter& filter : filters) filter.is_static = courses.random().one_in(3);
-      ASSERT_TRUE(engine.set_filters(ids_below(kBodies), filters).ok());
+      ASSERT_TRUE(engine.set_filters(ids_below(kRebuiltBodies), filters).ok());
     }
     courses.go_on();
     update_all(engine, courses);
