@@ -58,6 +58,21 @@ class SlotBlocks {
     }
     return mask != before;
   }
+  /// operator[] for a loop, which would read anew what it holds after each byte that the loop writes.
+  class Places {
+   public:
+    explicit Places(SlotBlocks& held)
+        : blocks_(held.by_slot_ ? nullptr : held.blocks_.data()), all_(held.all_.data()) {}
+
+    T& operator[](Slot slot) const {
+      return blocks_ == nullptr ? all_[slot] : blocks_[slot / kSlotBlock][slot % kSlotBlock];
+    }
+
+   private:
+    T* const* blocks_;
+    T* all_;
+  };
+
   /// For SlotBoxes: the blocks by number, null where all lie by slot.
   const T* const* blocks() const { return by_slot_ ? nullptr : blocks_.data(); }
 

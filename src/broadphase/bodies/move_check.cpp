@@ -81,7 +81,12 @@ void MoveCheck::note_run(Slot first, std::size_t count) {
 }
 
 bool MoveCheck::note_slots(std::span<const Slot> slots) {
-  for (const Slot slot : slots) note_run(slot, 1);
+  bool descends = false;
+  for (std::size_t i = 1; i < slots.size(); ++i) descends |= slots[i - 1] >= slots[i];
+  note_run(slots.front(), 1);
+  ascends_ = ascends_ && !descends;
+  last_ = slots.back();
+  next_ = last_ + 1;
   return false;
 }
 

@@ -27,6 +27,33 @@ bool are_all(const BodyState* states, std::size_t count, BodyState state) {
   return others == 0;
 }
 
+/// Moves one body after the other.
+struct Move {
+  Aabb* boxes;
+  SlotBlocks<Aabb>::Places next;
+  BodyState* states;
+
+  // A body that has moved already, to somewhere else, may be told to stay.
+  Slot* one(Slot slot, const Aabb& box, Slot* moved) const {
+    const BodyState state = states[slot];
+    if (state == kInserted) {
+      boxes[slot] = box;
+      return moved;
+    }
+    const bool differs = !same_bits(BoxLanes(box), BoxLanes(boxes[slot]));
+    next[slot] = box;
+    if (state == kMoved) return moved;
+    states[slot] = differs ? kMoved : kAtRest;
+    *moved = slot;
+    return moved + (differs ? 1 : 0);
+  }
+};
+
+// Few callers have any that are not.
+[[gnu::cold, gnu::noinline]] void make_canonical(std::span<const Aabb> boxes, Aabb* to) {
+  for (const Aabb& box : boxes) *to++ = canonical(box);
+}
+
 }  // namespace
 
 bool StagedBoxes::are_at_rest(Slot first, std::size_t count) const {
@@ -145,27 +172,15 @@ Slot* StagedBoxes::move_block(const MovedBodies& block, Slot* moved) {
       return moved + count;
     }
   }
-  if (block.clean) {
-    for (std::size_t i = 0; i < count; ++i) moved = move_one(block.slots[i], block.boxes[i], moved);
-  } else {
-    for (std::size_t i = 0; i < count; ++i)
-      moved = move_one(block.slots[i], canonical(block.boxes[i]), moved);
+  const Move move{boxes_.data(), SlotBlocks<Aabb>::Places(next_), states_.data()};
+  std::array<Aabb, kMoveBlock> canonical_boxes;  // NOLINT(*-member-init): as far as it is read
+  const Aabb* boxes = block.boxes.data();
+  if (!block.clean) {
+    make_canonical(block.boxes, canonical_boxes.data());
+    boxes = canonical_boxes.data();
   }
+  for (std::size_t i = 0; i < count; ++i) moved = move.one(block.slots[i], boxes[i], moved);
   return moved;
-}
-
-// A body that has moved already, to somewhere else, may be told to stay.
-Slot* StagedBoxes::move_one(Slot slot, const Aabb& box, Slot* moved) {
-  if (states_[slot] == kInserted) {
-    boxes_[slot] = box;
-    return moved;
-  }
-  next_[slot] = box;
-  if (states_[slot] == kMoved) return moved;
-  const bool differs = !same_bits(BoxLanes(box), BoxLanes(boxes_[slot]));
-  states_[slot] = differs ? kMoved : kAtRest;
-  *moved = slot;
-  return moved + (differs ? 1 : 0);
 }
 
 void StagedBoxes::reserve_removals(std::size_t count) {

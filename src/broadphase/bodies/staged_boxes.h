@@ -83,7 +83,6 @@ class StagedBoxes {
   void reserve_next(std::size_t more);
   std::size_t move_share(const MovedBodies& bodies, Share share, Slot* moved);
   Slot* move_block(const MovedBodies& block, Slot* moved);
-  Slot* move_one(Slot slot, const Aabb& box, Slot* moved);
   bool are_at_rest(Slot first, std::size_t count) const;
   void swap_all();
   void swap_changed();
