@@ -46,9 +46,7 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
     if (fat_boxes_.have_slack()) fat_boxes_.drop_slack();
     return kFull;
   }
-  Growth growth = growth_choice_.growth();
-  if (rebuild_.goes_on()) growth.most = tuning::kMostGrowthOfLasting;
-  fat_boxes_.use_growth(growth);
+  fat_boxes_.use_growth(growth_choice_.growth());
   uses_prepared_ = rebuild_.begin_update(changes);
   crew_.plan(changes.moved.size(), tuning::kMoveGuess);
   if (!uses_prepared_ && refit(changes)) return kFull;

@@ -34,8 +34,8 @@ Float4 where_near(Float4 step, Float4 edge, Float4 values) {
 }
 
 /// How far a face may be carried by a body that keeps its course, with its sign.
-Float4 carried(Float4 step, Float4 edge, float updates, float most_lengths) {
-  const Float4 most = edge * most_lengths;
+Float4 carried(Float4 step, Float4 edge, float updates) {
+  const Float4 most = edge * tuning::kMostGrowth;
   return smaller(larger(step * updates, -most), most);
 }
 
@@ -45,7 +45,7 @@ template <class AnyOutlook>
 Float4 growth(Float4 step, Float4 edge, const AnyOutlook& outlook) {
   const Float4 none = splat(0);
   const Float4 least = edge * outlook.least;
-  const Float4 far = carried(step, edge, outlook.updates, outlook.most);
+  const Float4 far = carried(step, edge, outlook.updates);
   return step > none ? larger(far, least) : step < none ? smaller(far, -least) : none;
 }
 
@@ -96,10 +96,10 @@ Aabb fat_box_of(const Aabb& old, const Aabb& now_box, const Outlook& outlook) {
                 within_numbers(larger(now.max + high, now.max)));
 }
 
-Aabb course_of(const Aabb& old, const Aabb& now_box, float updates, float most) {
+Aabb course_of(const Aabb& old, const Aabb& now_box, float updates) {
   const auto [now, edge, low_step, high_step] = Motion(old, now_box);
-  const Float4 low = where_near(low_step, edge, carried(low_step, edge, updates, most));
-  const Float4 high = where_near(high_step, edge, carried(high_step, edge, updates, most));
+  const Float4 low = where_near(low_step, edge, carried(low_step, edge, updates));
+  const Float4 high = where_near(high_step, edge, carried(high_step, edge, updates));
   return box_of(within_numbers(smaller(now.min + low, now.min)),
                 within_numbers(larger(now.max + high, now.max)));
 }

@@ -2,7 +2,6 @@
 /// The fat box of a body: where it may be for some updates, if it keeps its course.
 #pragma once
 
-#include "base/tuning.h"
 #include "cellsweep/aabb.h"
 #include "geometry/box_lanes.h"
 
@@ -10,29 +9,28 @@ namespace cellsweep::stream {
 
 /// What a fat box is made for.
 struct Outlook {
-  float updates = 0;                 ///< in which the body keeps its course,
-  float most = tuning::kMostGrowth;  ///< but goes no further than so many lengths of its box
-  bool may_turn = false;             ///< or turns back: a body that trembles
-  float margin = 0;                  ///< on all sides, whatever the body does
-  float least = 0;                   ///< the way it goes at least, in lengths of the box,
-  float reach = 0;                   ///< and to either side, when it may turn
+  float updates = 0;      ///< in which the body keeps its course,
+  bool may_turn = false;  ///< or turns back: a body that trembles
+  float margin = 0;       ///< on all sides, whatever the body does
+  float least = 0;        ///< the way it goes at least, in lengths of the box,
+  float reach = 0;        ///< and to either side, when it may turn
 };
 
-/// A box that encloses `now` and, the way that led from `old` to it, what comes next. A box that moves
-/// further than its own length at a time does not grow but for the margin.
+/// A box that encloses `now` and, the way that led from `old` to it, what comes next, but no further than
+/// tuning::kMostGrowth of its lengths. A box that moves further than its own length at a time does not grow
+/// but for the margin.
 Aabb fat_box_of(const Aabb& old, const Aabb& now, const Outlook& outlook);
 
 /// A box that encloses `now` and where the way that led from `old` to it leads to in so many updates, but no
-/// further than so many of its lengths.
-[[gnu::cold]] Aabb course_of(const Aabb& old, const Aabb& now, float updates, float most);
+/// further than fat_box_of().
+[[gnu::cold]] Aabb course_of(const Aabb& old, const Aabb& now, float updates);
 
 /// What a fat box is made for that will be used later.
 struct LaterOutlook {
-  float from = 0;                    ///< it is used so many updates ahead,
-  float updates = 0;                 ///< for so many,
-  float most = tuning::kMostGrowth;  ///< in which it goes no further than so many of its lengths
-  float margin = 0;                  ///< on all sides
-  float least = 0;                   ///< the way it goes at least, in lengths of the box
+  float from = 0;     ///< it is used so many updates ahead,
+  float updates = 0;  ///< for so many
+  float margin = 0;   ///< on all sides
+  float least = 0;    ///< the way it goes at least, in lengths of the box
 };
 
 /// A box that encloses where the way that led from `old` to `now` will lead to by then. A box that moves

@@ -28,6 +28,23 @@ List<Aabb> boxes_before(const BodyChanges& changes) {
   return boxes;
 }
 
+/// Notes for a share of those that moved who has left `fat_of(slot)`, as `has_left(slot)` says. Returns how
+/// many have.
+template <class FatOf, class HasLeft>
+std::size_t note_each(std::span<const Slot> moved, Share share, std::uint8_t* escapes, const FatOf& fat_of,
+                      const HasLeft& has_left) {
+  // Of its own: else what they hold would be read again after each byte that is written.
+  const FatOf fat = fat_of;
+  const HasLeft is_out = has_left;
+  std::size_t count = 0;
+  for (std::size_t i = share.first; i < share.last; ++i) {
+    __builtin_prefetch(&fat(moved[std::min(i + tuning::kAhead, share.last - 1)]));
+    escapes[i] = is_out(moved[i]) ? 1 : 0;
+    count += escapes[i];
+  }
+  return count;
+}
+
 }  // namespace
 
 void FatBoxes::begin_update(const BodyChanges& changes) {
@@ -105,26 +122,14 @@ void FatBoxes::drop_slack() {
   slack_ = false;
 }
 
-// Notes who of those in these places has left `fat_of(slot)`, as `has_left(slot)` says, and how many have.
-template <class FatOf, class HasLeft>
-std::size_t FatBoxes::note_escapes(Crew& crew, std::span<const Slot> moved, Share places, const FatOf& fat_of,
-                                   const HasLeft& has_left) {
-  escapes_.renew(moved.size());
+// Notes who of those in these places has left its fat box; `note` does so for a share. Returns how many have.
+std::size_t FatBoxes::note_escapes(Crew& crew, std::size_t moved, Share places,
+                                   FunctionRef<std::size_t(Share)> note) {
+  escapes_.renew(moved);
   PerWorker<std::size_t> counts(crew.active());
   crew.run([&](unsigned worker) {
-    const auto [first, last] = Share::of(places.last - places.first, worker, crew.active());
-    std::size_t count = 0;
-    // Of its own: else what they hold would be read again after each byte that is written.
-    const Slot* const slots = moved.data() + places.first;
-    const FatOf fat = fat_of;
-    const HasLeft is_out = has_left;
-    std::uint8_t* const escapes = escapes_.data() + places.first;
-    for (std::size_t i = first; i < last; ++i) {
-      __builtin_prefetch(&fat(slots[std::min(i + tuning::kAhead, last - 1)]));
-      escapes[i] = is_out(slots[i]) ? 1 : 0;
-      count += escapes[i];
-    }
-    counts[worker] = count;
+    const Share share = Share::of(places.last - places.first, worker, crew.active());
+    counts[worker] = note({places.first + share.first, places.first + share.last});
   });
   std::size_t sum = 0;
   for (const std::size_t count : counts.view()) sum += count;
@@ -132,11 +137,16 @@ std::size_t FatBoxes::note_escapes(Crew& crew, std::span<const Slot> moved, Shar
 }
 
 std::size_t FatBoxes::find_escapes(Crew& crew, const BodyChanges& changes) {
-  const SlotBoxes fat(fat_.blocks(), fat_.all().data());
   const Aabb* const boxes = changes.boxes.data();
-  return note_escapes(
-      crew, changes.moved, {0, changes.moved.size()}, [=](Slot slot) -> const Aabb& { return fat[slot]; },
-      [=](Slot slot) { return !encloses(BoxLanes(fat[slot]), BoxLanes(boxes[slot])); });
+  const auto note = [&](Share share, const auto& fat) {
+    return note_each(
+        changes.moved, share, escapes_.data(), [=](Slot slot) -> const Aabb& { return fat[slot]; },
+        [=](Slot slot) { return !encloses(BoxLanes(fat[slot]), BoxLanes(boxes[slot])); });
+  };
+  const Aabb* const by_slot = fat_.all().data();
+  return note_escapes(crew, changes.moved.size(), {0, changes.moved.size()}, [&](Share share) {
+    return fat_.are_by_slot() ? note(share, by_slot) : note(share, SlotBoxes(fat_.blocks(), by_slot));
+  });
 }
 
 // A body that trembles inside of its fat box keeps that: a next one, made by a step that happened to be
@@ -160,7 +170,7 @@ void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
 // They will be used at a moment that is known, and half an update sooner and later, for a body does not keep
 // its course to the last bit.
 LaterOutlook FatBoxes::later_outlook(float from, float updates) const {
-  return {from - 0.5F, updates, growth_.most, margin_, growth_.least};
+  return {.from = from - 0.5F, .updates = updates, .margin = margin_, .least = growth_.least};
 }
 
 void FatBoxes::prepare(Crew& crew, const BodyChanges& changes, Share places, float from, float updates) {
@@ -184,8 +194,11 @@ std::size_t FatBoxes::find_escapes_from_prepared(Crew& crew, const BodyChanges& 
     if (courses_[slot].trembles) return !encloses(BoxLanes(fat), BoxLanes(now));
     return will_have_left(fat, changes.before[slot], now, from);
   };
-  return note_escapes(
-      crew, changes.moved, places, [&](Slot slot) -> const Aabb& { return prepared_[slot]; }, has_left);
+  return note_escapes(crew, changes.moved.size(), places, [&](Share share) {
+    return note_each(
+        changes.moved, share, escapes_.data(), [&](Slot slot) -> const Aabb& { return prepared_[slot]; },
+        has_left);
+  });
 }
 
 std::span<const FatBoxChange> FatBoxes::mend_prepared(Crew& crew, const BodyChanges& changes, Share places,
@@ -212,7 +225,7 @@ bool FatBoxes::are_being_left(const BodyChanges& changes, float updates) const {
   std::size_t left = 0;
   for (std::size_t i = 0; i < changes.moved.size(); i += step) {
     const Slot slot = changes.moved[i];
-    const Aabb course = course_of(changes.before[slot], changes.boxes[slot], updates, growth_.most);
+    const Aabb course = course_of(changes.before[slot], changes.boxes[slot], updates);
     left += encloses(BoxLanes(fat_[slot]), BoxLanes(course)) ? 0 : 1;
     ++looks;
   }
@@ -260,8 +273,7 @@ Aabb FatBoxes::grown(Slot slot, const Aabb& before, const Aabb& now, bool escape
   }
   course.made = updates_ % kCourseUpdates;
   if (!course.trembles)
-    return fat_box_of(before, now,
-                      {.updates = updates, .most = growth_.most, .margin = margin_, .least = growth_.least});
+    return fat_box_of(before, now, {.updates = updates, .margin = margin_, .least = growth_.least});
   return fat_box_of(
       before, now,
       {.updates = growth_.updates, .may_turn = true, .margin = margin_, .reach = reach_of(course.halvings)});

@@ -11,6 +11,7 @@
 #include "base/memory/slot_blocks.h"
 #include "base/threads/crew.h"
 #include "cellsweep/engine/slots.h"
+#include "cellsweep/function_ref.h"
 #include "engines/stream/bodies/fat_box.h"
 #include "engines/stream/bodies/growth.h"
 
@@ -116,9 +117,7 @@ class FatBoxes {
   Aabb grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates);
   [[gnu::cold]] void judge(Course& course, unsigned age, float step) const;
   static float reach_of(int halvings);
-  template <class FatOf, class HasLeft>
-  std::size_t note_escapes(Crew& crew, std::span<const Slot> moved, Share places, const FatOf& fat_of,
-                           const HasLeft& has_left);
+  std::size_t note_escapes(Crew& crew, std::size_t moved, Share places, FunctionRef<std::size_t(Share)> note);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
   std::size_t find_escapes_from_prepared(Crew& crew, const BodyChanges& changes, Share places, float from);
   void begin_update(const BodyChanges& changes);

@@ -177,7 +177,6 @@ bool Rebuild::prepare_order(double due) {
 }
 
 void Rebuild::note_used(std::size_t bodies) {
-  were_prepared_ = true;
   made_for_ = next_lasts_;
   calm_ = escaped_ < bodies / tuning::kFewEscaped ? calm_ + 1 : 0;
   if (escaped_ > bodies / tuning::kManyEscaped) {
@@ -196,7 +195,6 @@ void Rebuild::note_full() {
   const bool are_first = age_ <= 1;
   may_begin_ = are_first || age_ > tuning::kLastsAtLeast;
   made_for_ = next_lasts_ = are_first ? tuning::kAllAhead : std::min(age_ - 1, tuning::kAllAhead);
-  were_prepared_ = false;
   patience_ = 1;
   calm_ = 0;
   begin_anew();

@@ -38,8 +38,6 @@ class Rebuild {
 
   /// Whether some of it is prepared, or room for it held.
   bool is_under_way() const { return holds_memory_; }
-  /// So were those that are in use: they lasted until then.
-  bool goes_on() const { return holds_memory_ && were_prepared_; }
 
   /// An update used what was prepared.
   [[gnu::cold]] void note_used(std::size_t bodies);
@@ -78,7 +76,6 @@ class Rebuild {
   WorkCost cost_{tuning::kFullGuess};    // of a whole one, for each body
   unsigned workers_ = 1;                 // in all its parts
   WorkCost::Clock::time_point started_;  // this update
-  bool were_prepared_ = false;           // the fat boxes that are in use
   bool holds_memory_ = false;
   bool may_begin_ = false;    // the next one, when most fat boxes are going to be left
   double stage_done_ = 0;     // the share of the fat boxes that are made in this stage, or looked at again

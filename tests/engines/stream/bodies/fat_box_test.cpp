@@ -60,9 +60,9 @@ TEST(FatBox, GrowsWithABoxThatGrows) {
   EXPECT_EQ(fat_box_of(larger, kUnit, {2}), kUnit) << "and not with one that shrinks";
 }
 
-TEST(FatBox, GrowsByHalfItsLengthAtMost) {
-  EXPECT_EQ(fat_box_of(kUnit, unit_at(0.5F), {8}), (Aabb{{0.5F, 0, 0}, {2, 1, 1}}));
-  EXPECT_EQ(fat_box_of(kUnit, unit_at(-1), {8}), (Aabb{{-1.5F, 0, 0}, {0, 1, 1}}));
+TEST(FatBox, GrowsByItsLengthAtMost) {
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(0.5F), {8}), (Aabb{{0.5F, 0, 0}, {2.5F, 1, 1}}));
+  EXPECT_EQ(fat_box_of(kUnit, unit_at(-1), {8}), (Aabb{{-2, 0, 0}, {0, 1, 1}}));
 }
 
 // Three steps of an eighth to the edge of a fat box that has room for them.
@@ -77,10 +77,10 @@ TEST(FatBox, MayHaveBeenLeftOnACourseInAsManyUpdatesAsTheStepsTake) {
 
 TEST(Course, IsTheWayOfABodyButNotTooFar) {
   constexpr float kStep = 1.0F / 4096;
-  EXPECT_EQ(course_of(kUnit, kUnit, 8, 0.5F), kUnit);
-  EXPECT_EQ(course_of(kUnit, unit_at(kStep), 8, 0.5F), (Aabb{{kStep, 0, 0}, {1 + 9 * kStep, 1, 1}}));
-  EXPECT_EQ(course_of(kUnit, unit_at(-0.25F), 8, 0.5F), (Aabb{{-0.75F, 0, 0}, {0.75F, 1, 1}}));
-  EXPECT_EQ(course_of(kUnit, unit_at(1.5F), 8, 0.5F), unit_at(1.5F));
+  EXPECT_EQ(course_of(kUnit, kUnit, 8), kUnit);
+  EXPECT_EQ(course_of(kUnit, unit_at(kStep), 8), (Aabb{{kStep, 0, 0}, {1 + 9 * kStep, 1, 1}}));
+  EXPECT_EQ(course_of(kUnit, unit_at(-0.25F), 8), (Aabb{{-1.25F, 0, 0}, {0.75F, 1, 1}}));
+  EXPECT_EQ(course_of(kUnit, unit_at(1.5F), 8), unit_at(1.5F));
 }
 
 TEST(FatBox, OfABodyThatJumpsFurtherThanItsLengthIsItsBox) {
@@ -94,7 +94,7 @@ TEST(FatBox, OfABodyThatMayTurnReachesAsFarToEitherSide) {
   const Aabb fat = fat_box_of(kUnit, unit_at(0.0078125F), {.updates = 8, .may_turn = true});
   EXPECT_EQ(fat, (Aabb{{0.0078125F - 0.0625F, 0, 0}, {1.0078125F + 0.0625F, 1, 1}}));
   EXPECT_EQ(fat_box_of(kUnit, unit_at(0.25F), {.updates = 8, .may_turn = true}),
-            (Aabb{{0.25F - 0.125F, 0, 0}, {1.75F, 1, 1}}))
+            (Aabb{{0.25F - 0.125F, 0, 0}, {2.25F, 1, 1}}))
       << "by an eighth of its length at most";
   EXPECT_EQ(fat_box_of(kUnit, kUnit, {.updates = 8, .may_turn = true}), kUnit);
 }
