@@ -214,10 +214,13 @@ inline constexpr std::size_t kPartsOfStep = 16;
 /// So many slots and fewer are swept when all are new. EPYC, AVX-512, all scenes: two and three times as many
 /// would take 0.7 to 0.9 of the time that cells take, but few movers need these in the next update.
 inline constexpr std::size_t kMostSwept = 2048;
-/// And so many in every update, while most bodies are on their way. EPYC, AVX-512 and AVX2, uniform, varied,
-/// clustered and wall, all moving: 0.9 of the mean time that fat boxes take at 1,000 bodies, 1.0 at 2,000 and
-/// 3,000, and 0.6 of the 99th percentile.
+/// And so many in every update, where fat boxes do not last. EPYC, AVX-512, piles while they fall and settle:
+/// 0.7 to 0.8 of the time that cells would take at 1,000 and 2,000, 1.0 at 3,000.
 inline constexpr std::size_t kMostSweptInMotion = 3072;
+/// And so many while most bodies are on their way, whose updates ask for no memory then, and all take as
+/// long. EPYC, AVX-512, uniform, varied, clustered and wall, all moving: fat boxes take 0.8 to 0.9 of the
+/// mean time at 300 bodies, 0.65 to 0.8 at 1,000 to 3,000.
+inline constexpr std::size_t kMostSweptFirst = 640;
 /// A box of middle size reaches over so many numbers on the axis of the order. EPYC, AVX-512, 1,000 bodies in
 /// all scenes.
 inline constexpr double kPlacesOfEdge = 16;
@@ -274,6 +277,9 @@ inline constexpr std::uint64_t kAnewPairCost = 9;
 inline constexpr std::size_t kTried = 64;
 inline constexpr std::uint32_t kUpdatesTried = 12;
 inline constexpr double kMostEscapesOfTried = 1.0 / 6;
+/// And in one that is swept without them, which takes less than to make cells: where a tenth leaves theirs,
+/// it takes as long.
+inline constexpr double kMostEscapesOfSwept = 1.0 / 12;
 
 // --- one-shot searches
 // ------------------------------------------------------------------------------------------------------------

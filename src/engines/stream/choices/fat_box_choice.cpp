@@ -29,7 +29,8 @@ bool FatBoxChoice::begin_update(Crew& crew, const BodyChanges& changes) {
 }
 
 void FatBoxChoice::note_size(std::size_t slots) {
-  const bool is_small = can_sweep_ && slots <= tuning::kMostSweptInMotion;
+  const bool is_small = can_sweep_ && slots <= tuning::kMostSweptFirst;
+  is_swept_ = can_sweep_ && slots <= tuning::kMostSweptInMotion;
   if (is_small == is_small_) return;
   is_small_ = is_small;
   try_fat_boxes();
@@ -43,7 +44,7 @@ std::uint32_t FatBoxChoice::updates_of_settling() const {
 }
 
 void FatBoxChoice::note_anew(bool has_cells) {
-  if (!is_small_ || !has_cells) return;
+  if (!is_swept_ || !has_cells) return;
   try_fat_boxes();
   pause_ = tuning::kPauseOfSweeps;
 }
@@ -55,7 +56,8 @@ void FatBoxChoice::go_on_with_trial(Crew& crew, const BodyChanges& changes) {
   is_tried_ = true;
   if (trial_.updates() < tuning::kUpdatesTried) return;
   is_tried_ = false;
-  if (trial_.share_escaped() <= tuning::kMostEscapesOfTried) try_fat_boxes();
+  const double most = is_swept_ ? tuning::kMostEscapesOfSwept : tuning::kMostEscapesOfTried;
+  if (trial_.share_escaped() <= most) try_fat_boxes();
 }
 
 void FatBoxChoice::try_fat_boxes() {
@@ -109,7 +111,7 @@ std::int64_t FatBoxChoice::cost_of_fat_boxes(const FatBoxWork& work) const {
 }
 
 std::int64_t FatBoxChoice::cost_anew(const FatBoxWork& work) const {
-  const std::uint64_t of_body = is_small_ ? tuning::kSweptCost : tuning::kAnewCost;
+  const std::uint64_t of_body = is_swept_ ? tuning::kSweptCost : tuning::kAnewCost;
   return static_cast<std::int64_t>(of_body * work.bodies + tuning::kAnewPairCost * work.pairs);
 }
 

@@ -17,10 +17,11 @@ namespace cellsweep::stream {
 /// last, as in a heap into which bodies still fall, it takes less to find all pairs of the boxes themselves
 /// anew in each update. What fat boxes have to do, eight updates at a time, tells whether they last.
 ///
-/// Small worlds begin without: to sweep them takes no longer than fat boxes while most bodies are on their
-/// way, and each update as long as the one before. Where bodies tremble or stop, fat boxes last. Some bodies,
-/// watched for some updates, tell whether to try them. Large worlds, which fat boxes suit better, begin with
-/// them; while such a world does without, some bodies have them on trial.
+/// Small worlds begin without: to sweep them takes not much longer than fat boxes while most bodies are on
+/// their way, each update as long as the one before, and no more memory than there is. Where bodies tremble
+/// or stop, fat boxes last. Some bodies, watched for some updates, tell whether to try them. Large worlds,
+/// which fat boxes suit better, begin with them; while such a world does without, some bodies have them on
+/// trial. Some thousand bodies are swept then, which takes less than to make cells.
 class FatBoxChoice {
  public:
   /// Whether there may be none; and whether small worlds can be swept.
@@ -49,6 +50,7 @@ class FatBoxChoice {
 
   bool may_go_without_;
   bool can_sweep_;
+  bool is_swept_ = true;  // where it does without
   bool is_small_ = true;
   bool is_without_ = true;      // a small world, as long as nobody moved
   bool is_tried_ = false;       // by some bodies of a large world

@@ -19,6 +19,7 @@ namespace {
 using contract::Random;
 
 constexpr std::size_t kFewBodies = 500;
+constexpr std::size_t kMoreBodies = 1500;  // too many to be swept from the first
 constexpr std::size_t kManyBodies = 4000;
 
 class WorldInMotion : public testing::Test {
@@ -68,9 +69,9 @@ class SmallWorldTest : public WorldInMotion {
   }
 };
 
-class LargeWorldTest : public WorldInMotion {
+class LargeWorldTest : public WorldInMotion, public testing::WithParamInterface<std::size_t> {
  protected:
-  LargeWorldTest() : WorldInMotion(kManyBodies) {}
+  LargeWorldTest() : WorldInMotion(GetParam()) {}
 };
 
 TEST_F(SmallWorldTest, IsSweptInEveryUpdateWhileBodiesKeepTheirCourse) {
@@ -173,7 +174,7 @@ TEST_F(SmallWorldTest, WithAMarginHasFatBoxesAtOnce) {
   EXPECT_GT(counter(engine, "in-place updates"), 0U);
 }
 
-TEST_F(LargeWorldTest, HasFatBoxesWhileBodiesKeepTheirCourse) {
+TEST_P(LargeWorldTest, HasFatBoxesWhileBodiesKeepTheirCourse) {
   std::uint64_t full = 0;
   for (int frame = 0; frame < 60; ++frame) {
     ASSERT_NO_FATAL_FAILURE(go_on());
@@ -184,7 +185,7 @@ TEST_F(LargeWorldTest, HasFatBoxesWhileBodiesKeepTheirCourse) {
 }
 
 // Where each update makes them anew, they take more than to find everything.
-TEST_F(LargeWorldTest, DoesWithoutFatBoxesThatDoNotLast) {
+TEST_P(LargeWorldTest, DoesWithoutFatBoxesThatDoNotLast) {
   for (std::uint64_t frame = 0; frame < 10; ++frame) ASSERT_NO_FATAL_FAILURE(shake_hard(frame));
   for (std::uint64_t frame = 10; frame < 60; ++frame) {
     ASSERT_NO_FATAL_FAILURE(shake_hard(frame));
@@ -194,7 +195,7 @@ TEST_F(LargeWorldTest, DoesWithoutFatBoxesThatDoNotLast) {
 }
 
 // A few bodies tell, within some updates.
-TEST_F(LargeWorldTest, HasFatBoxesAgainSoonAfterTheyWouldLast) {
+TEST_P(LargeWorldTest, HasFatBoxesAgainSoonAfterTheyWouldLast) {
   for (int time = 0; time < 3; ++time) {
     for (std::uint64_t frame = 0; frame < 20; ++frame) ASSERT_NO_FATAL_FAILURE(shake_hard(frame));
     EXPECT_FALSE(has_fat_boxes());
@@ -208,7 +209,7 @@ TEST_F(LargeWorldTest, HasFatBoxesAgainSoonAfterTheyWouldLast) {
   }
 }
 
-TEST_F(LargeWorldTest, HasFatBoxesAtOnceWhenFewMove) {
+TEST_P(LargeWorldTest, HasFatBoxesAtOnceWhenFewMove) {
   for (std::uint64_t frame = 0; frame < 20; ++frame) ASSERT_NO_FATAL_FAILURE(shake_hard(frame));
   for (int frame = 0; frame < 10; ++frame) {
     ASSERT_NO_FATAL_FAILURE(go_on(20));
@@ -219,11 +220,11 @@ TEST_F(LargeWorldTest, HasFatBoxesAtOnceWhenFewMove) {
 }
 
 // Of those that have fat boxes on trial, some go, and others get their slots.
-TEST_F(LargeWorldTest, IsExactWhileBodiesComeAndGo) {
+TEST_P(LargeWorldTest, IsExactWhileBodiesComeAndGo) {
   Random& random = courses_.random();
   for (std::uint64_t frame = 0; frame < 60; ++frame) {
     for (int turn = 0; turn < 40; ++turn) {
-      const auto body = static_cast<BodyId>(random.below(kManyBodies));
+      const auto body = static_cast<BodyId>(random.below(GetParam()));
       ASSERT_TRUE(engine_.remove({&body, 1}).ok());
       if (turn == 20) {
         ASSERT_TRUE(engine_.update().ok());
@@ -235,6 +236,25 @@ TEST_F(LargeWorldTest, IsExactWhileBodiesComeAndGo) {
     } else {
       ASSERT_NO_FATAL_FAILURE(go_on());
     }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, LargeWorldTest, testing::Values(kMoreBodies, kManyBodies));
+
+// They are swept where fat boxes do not last, if that is possible; more bodies come into cells.
+TEST(WorldWithoutFatBoxes, IsSweptWhereItIsNotTooLarge) {
+  const bool has_sweeps = find_kernels(VectorIsa::best)->sweep != nullptr;
+  for (const std::size_t bodies : {kMoreBodies, kManyBodies}) {
+    std::vector<Aabb> boxes = uniform_boxes(bodies, 3);
+    const std::vector<Aabb> still = boxes;
+    Broadphase engine = engine_with(still);
+    for (std::uint64_t frame = 0; frame < 40; ++frame) {
+      boxes = still;
+      shake(boxes, 0.6F, frame);
+      move_every(engine, boxes, 1);
+      ASSERT_TRUE(engine.update().ok());
+    }
+    EXPECT_EQ(counter(engine, "boxes in cells") == 0, has_sweeps && bodies == kMoreBodies) << bodies;
   }
 }
 
