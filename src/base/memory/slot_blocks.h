@@ -32,7 +32,7 @@ class SlotBlocks {
     return slot / kSlotBlock < masks_.size() && (masks_[slot / kSlotBlock] >> slot % kSlotBlock & 1) != 0;
   }
   /// What a slot has.
-  T& operator[](Slot slot) { return by_slot_ ? all_[slot] : blocks_[slot / kSlotBlock][slot % kSlotBlock]; }
+  T& operator[](Slot slot) { return Places(*this)[slot]; }
   const T& operator[](Slot slot) const { return const_cast<SlotBlocks&>(*this)[slot]; }
 
   /// Room for so many slots in all, of which so many more get something: add() takes no memory then.
