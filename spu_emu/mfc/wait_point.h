@@ -67,11 +67,19 @@ class WaitPoint {
   static bool spin(Ready& ready) {
     for (int round = 0; round < kSpinRounds; ++round) {
       if (ready()) return true;
-      // More SPEs than processors: the thread waited for may be waiting for this processor.
-      if (round % kYieldEvery == kYieldEvery - 1) sched_yield();
+      if (round % kYieldEvery == kYieldEvery - 1 && !yield()) break;
       relax();
     }
     return ready();
+  }
+
+  /// More SPEs than processors: the thread waited for may be waiting for this processor. False when somebody
+  /// had it for long, who would get another time slice each time; one who sleeps is woken before that is
+  /// over.
+  static bool yield() {
+    const Time before = std::chrono::steady_clock::now();
+    sched_yield();
+    return std::chrono::steady_clock::now() - before < kLongYield;
   }
 
   /// Sleeps until somebody wakes after the count was `seen`; false when the deadline passed.
@@ -81,6 +89,8 @@ class WaitPoint {
   /// About ten microseconds: longer than a mailbox answer from another core, shorter than a time slice.
   static constexpr int kSpinRounds = 300;
   static constexpr int kYieldEvery = 16;
+  /// Longer than an SPE takes for its part of a step, shorter than a time slice.
+  static constexpr std::chrono::microseconds kLongYield{200};
 
   WaitPoint* also_;
   std::mutex mutex_;
