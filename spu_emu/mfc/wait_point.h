@@ -89,7 +89,7 @@ class WaitPoint {
   /// About ten microseconds: longer than a mailbox answer from another core, shorter than a time slice.
   static constexpr int kSpinRounds = 300;
   static constexpr int kYieldEvery = 16;
-  /// Longer than an SPE takes for its part of a step, shorter than a time slice.
+  /// Longer than an SPE takes for its part of a step, shorter than a time slice. Chosen, not measured.
   static constexpr std::chrono::microseconds kLongYield{200};
 
   WaitPoint* also_;
