@@ -2,8 +2,12 @@
 /// Main memory that DMA reads and writes: whole lines of 128 bytes.
 #pragma once
 
+#include <sys/mman.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "engines/cell/wire.h"
@@ -31,6 +35,31 @@ struct DmaAllocator {
 /// A vector that a transfer may begin at; the bytes up to the end of its last line belong to it too.
 template <class T>
 using DmaVector = std::vector<T, DmaAllocator<T>>;
+
+/// Zeros for DMA to write over, much more than is written as a rule: pages that the system has to give only
+/// where they are written. The C library's memory may have been another's before, and tools that watch memory
+/// go through all of it.
+class DmaPages {
+ public:
+  /// Throws std::bad_alloc.
+  explicit DmaPages(std::size_t bytes)
+      : memory_(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)),
+        bytes_(bytes) {
+    if (memory_ == MAP_FAILED) throw std::bad_alloc();
+  }
+  DmaPages(DmaPages&& other) noexcept
+      : memory_(std::exchange(other.memory_, MAP_FAILED)), bytes_(other.bytes_) {}
+  DmaPages& operator=(DmaPages&&) = delete;
+  ~DmaPages() {
+    if (memory_ != MAP_FAILED) munmap(memory_, bytes_);
+  }
+
+  void* get() const { return memory_; }
+
+ private:
+  void* memory_;
+  std::size_t bytes_;
+};
 
 inline WireAddress wire_address(const void* memory) {
   const auto number = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(memory));

@@ -55,7 +55,6 @@ Result<std::unique_ptr<ResidentSpes>> ResidentSpes::start(const ResidentSize& wa
   return spes;
 }
 
-// The events' memory is not touched here: the system gives it when, and as far as, there are events.
 ResidentSpes::ResidentSpes(std::unique_ptr<SpeGroup> group, const ResidentSize& wanted)
     : group_(std::move(group)),
       events_(make_event_handler()),
@@ -70,16 +69,14 @@ ResidentSpes::ResidentSpes(std::unique_ptr<SpeGroup> group, const ResidentSize& 
   if (wanted.poses) poses_.resize(room / kLanes);
   for (auto& axis : intervals_) axis.resize(poses_.size());
   for (unsigned i = 0; i < size(); ++i) {
-    auto& buffer = buffers_.emplace_back();
-    void* memory = ::operator new (words * sizeof(std::uint32_t), std::align_val_t{kDmaAlign});
-    buffer.reset(static_cast<std::uint32_t*>(memory));
+    const DmaPages& events = buffers_.emplace_back(words * sizeof(std::uint32_t));
     jobs_[i] = {i,
                 size(),
                 i % kAxes,
                 room,
                 changes,
                 wire_address(records_.data()),
-                wire_address(memory),
+                wire_address(events.get()),
                 wire_address(poses_.data()),
                 wire_address(intervals_[i % kAxes].data()),
                 {}};

@@ -57,7 +57,7 @@ class ResidentSpes {
 
   /// What SPU `index` answered to the last order. Valid until the next one.
   std::span<const std::uint32_t> events(unsigned index) const {
-    return std::span(buffers_[index].get(), answers_[index]);
+    return std::span(static_cast<const std::uint32_t*>(buffers_[index].get()), answers_[index]);
   }
 
   /// Mailbox words written to SPUs so far.
@@ -68,9 +68,6 @@ class ResidentSpes {
   CellStatistics take_statistics() { return group_->take_statistics(); }
 
  private:
-  struct Release {
-    void operator()(std::uint32_t* memory) const { ::operator delete (memory, std::align_val_t{kDmaAlign}); }
-  };
   struct ReleaseHandler {
     void operator()(void* handler) const { spe_event_handler_destroy(handler); }
   };
@@ -88,7 +85,7 @@ class ResidentSpes {
   DmaVector<ResidentRecord> records_;
   DmaVector<PoseBlock> poses_;
   std::array<DmaVector<IntervalBlock>, 3> intervals_;
-  std::vector<std::unique_ptr<std::uint32_t[], Release>> buffers_;  // by SPU: events
+  std::vector<DmaPages> buffers_;  // by SPU: events
   DmaVector<ResidentJob> jobs_;
   std::vector<std::uint32_t> answers_;
   std::vector<bool> answered_;
