@@ -6,65 +6,59 @@
 #include <limits>
 #include <numeric>
 
+#include "geometry/box_lanes.h"
 #include "geometry/canonical.h"
 
 namespace cellsweep {
 namespace {
 
-// Boxes are compared in blocks of this many, so that the compiler can use vectors of any width up to 512
-// bits.
-constexpr std::size_t kLanes = 16;
+// So many boxes are compared at a time, as vectors of the language: a sanitized compiler makes none of loops.
+constexpr std::size_t kLanes = 4;
 
-// One array per face, padded to whole blocks with NaN, which overlaps nothing.
-struct FaceArrays {
-  explicit FaceArrays(std::span<const Aabb> boxes) {
-    const std::size_t padded = (boxes.size() + kLanes - 1) / kLanes * kLanes;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      min[axis].assign(padded, std::numeric_limits<float>::quiet_NaN());
-      max[axis].assign(padded, std::numeric_limits<float>::quiet_NaN());
-      for (std::size_t i = 0; i < boxes.size(); ++i) {
-        min[axis][i] = canonical(boxes[i].min[axis]);
-        max[axis][i] = canonical(boxes[i].max[axis]);
-      }
-    }
-  }
-
-  Aabb box(std::size_t i) const {
-    return {{min[0][i], min[1][i], min[2][i]}, {max[0][i], max[1][i], max[2][i]}};
-  }
-
-  std::array<std::vector<float>, 3> min;
-  std::array<std::vector<float>, 3> max;
+struct Block {
+  std::array<Float4, 3> min;
+  std::array<Float4, 3> max;
 };
 
-using BlockHits = std::array<int, kLanes>;
-
-// Which boxes of the block that starts at `first` overlap `box`; returns how many.
-int test_block(const Aabb& box, const FaceArrays& faces, std::size_t first, BlockHits& hits) {
-  hits.fill(1);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float* low = faces.min[axis].data() + first;
-    const float* high = faces.max[axis].data() + first;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      hits[lane] &=
-          static_cast<int>(box.min[axis] <= high[lane]) & static_cast<int>(low[lane] <= box.max[axis]);
+// The last block is filled up with NaN, which overlaps nothing.
+std::vector<Block> blocks_of(std::span<const Aabb> boxes) {
+  const Float4 padding = Float4{} + std::numeric_limits<float>::quiet_NaN();
+  std::vector<Block> blocks((boxes.size() + kLanes - 1) / kLanes,
+                            {{padding, padding, padding}, {padding, padding, padding}});
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    Block& block = blocks[i / kLanes];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      block.min[axis][i % kLanes] = canonical(boxes[i].min[axis]);
+      block.max[axis][i % kLanes] = canonical(boxes[i].max[axis]);
     }
   }
-  return std::accumulate(hits.begin(), hits.end(), 0);
+  return blocks;
+}
+
+// Which boxes of `block` overlap the box in that lane of `its`: not 0 in their lanes.
+Int4 test_block(const Block& its, std::size_t lane, const Block& block) {
+  const auto overlap = [&](std::size_t axis) {
+    return (its.min[axis][lane] <= block.max[axis]) & (block.min[axis] <= its.max[axis][lane]);
+  };
+  return overlap(0) & overlap(1) & overlap(2);
+}
+
+bool any(Int4 lanes) {
+  return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0;
 }
 
 }  // namespace
 
 std::vector<Pair> brute_force_pairs(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
-  const FaceArrays faces(boxes);
+  const std::vector<Block> blocks = blocks_of(boxes);
   std::vector<Pair> pairs;
-  BlockHits hits{};
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Aabb box = faces.box(i);
-    for (std::size_t first = i / kLanes * kLanes; first < boxes.size(); first += kLanes) {
-      if (test_block(box, faces, first, hits) == 0) continue;
+    const Block its = blocks[i / kLanes];
+    for (std::size_t block = i / kLanes; block < blocks.size(); ++block) {
+      const Int4 hits = test_block(its, i % kLanes, blocks[block]);
+      if (!any(hits)) continue;
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const std::size_t other = first + lane;
+        const std::size_t other = block * kLanes + lane;
         if (hits[lane] != 0 && other > i) pairs.push_back(make_pair_of(ids[i], ids[other]));
       }
     }
