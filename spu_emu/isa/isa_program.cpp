@@ -46,7 +46,7 @@ LoadResult IsaProgram::load(Spe& spe, const ProgramImage& image) {
   program->entry_ = elf.program->entry;
   program->symbols_ = std::move(elf.program->symbols);
   if (program->cycles_) program->cycles_->set_code(code_ranges(program->symbols_, elf.program->end));
-  program->note_progress();
+  program->high_water_ = elf.program->end;  // the rest of the local store has been cleared
   try {
     program->attach_debugger(file);
   } catch (const std::runtime_error& error) {

@@ -8,21 +8,21 @@ namespace spu_emu::isa {
 
 BlockCache::BlockCache(State& state, const std::byte* local_store)
     : state_(state), local_store_(local_store) {
-  state.entries = &entries_;
+  state.entries = &*entries_;
   state.code = &code_;
   state.blocks = this;
 }
 
 const Op* BlockCache::block(std::uint32_t pc) {
   const std::uint32_t word = pc / 4;
-  if (entries_[word] == nullptr) {
+  const Op*& entry = (*entries_)[word];
+  if (entry == nullptr) {
     auto block = std::make_unique<Block>();
     block->ops = decode_block(local_store_, pc, kMaxBlock, block->words, is_observed(), state_.traps);
     for (std::uint32_t k = word / 4; k <= (word + block->words - 1) / 4; ++k) code_[k] = 1;
-    entries_[word] = block->ops.data();
-    blocks_[word] = std::move(block);
+    entry = blocks_.emplace(word, std::move(block)).first->second->ops.data();
   }
-  return entries_[word];
+  return entry;
 }
 
 const Op* BlockCache::partial_block(std::uint32_t pc, std::uint32_t instructions) {
@@ -39,8 +39,10 @@ bool BlockCache::has_code(std::uint32_t first, std::uint32_t end) const {
 }
 
 void BlockCache::forget(std::uint32_t word) {
-  entries_[word] = nullptr;
-  dropped_.push_back(std::move(blocks_[word]));
+  const auto block = blocks_.find(word);
+  dropped_.push_back(std::move(block->second));
+  blocks_.erase(block);
+  (*entries_)[word] = nullptr;
 }
 
 void BlockCache::drop(std::uint32_t first, std::uint32_t size) {
@@ -50,14 +52,13 @@ void BlockCache::drop(std::uint32_t first, std::uint32_t size) {
   const std::uint32_t first_word = first / 16 * 4;
   const std::uint32_t end_word = (end + 15) / 16 * 4;
   for (std::uint32_t word = first_word - std::min(first_word, kMaxBlock - 1); word < end_word; ++word) {
-    if (blocks_[word] != nullptr && word + blocks_[word]->words > first_word) forget(word);
+    if ((*entries_)[word] != nullptr && word + blocks_.at(word)->words > first_word) forget(word);
   }
   std::fill(code_.begin() + first_word / 4, code_.begin() + end_word / 4, 0);
 }
 
 void BlockCache::drop_all() {
-  for (std::uint32_t word = 0; word < kWords; ++word)
-    if (blocks_[word] != nullptr) forget(word);
+  while (!blocks_.empty()) forget(blocks_.begin()->first);
   code_.fill(0);
 }
 

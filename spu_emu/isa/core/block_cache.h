@@ -6,9 +6,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "isa/core/state.h"
+#include "isa/core/zero_pages.h"
 
 namespace spu_emu::isa {
 
@@ -44,8 +46,8 @@ class BlockCache {
 
   const State& state_;
   const std::byte* local_store_;
-  std::array<const Op*, kWords> entries_{};
-  std::array<std::unique_ptr<Block>, kWords> blocks_;
+  ZeroPages<std::array<const Op*, kWords>> entries_;
+  std::unordered_map<std::uint32_t, std::unique_ptr<Block>> blocks_;  // by the word they start at
   std::array<std::uint8_t, kQuadwords> code_{};
   std::vector<std::unique_ptr<Block>> dropped_;
   std::vector<Op> partial_;

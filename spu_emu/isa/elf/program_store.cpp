@@ -1,5 +1,7 @@
 #include "isa/elf/program_store.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -14,6 +16,15 @@ namespace {
 std::uint32_t limit_of(const EmulationSettings& settings) {
   return settings.local_store_limit == 0 ? kHardwareSize
                                          : std::min(settings.local_store_limit, kHardwareSize);
+}
+
+/// Has the system take back its pages, which are zeros when they are touched again: of a new local store
+/// there are none yet, and to fill it takes a page fault for each. Emulators of user processes may say that
+/// they did and do nothing.
+void clear(std::byte* local_store) {
+  *local_store = std::byte{1};
+  const bool said = madvise(local_store, kHardwareSize, MADV_DONTNEED) == 0;
+  if (!said || *local_store != std::byte{}) std::memset(local_store, 0, kHardwareSize);
 }
 
 /// The word `ila $1,address`, by which start-up code sets its stack pointer; nothing for another one.
@@ -51,7 +62,7 @@ std::string ProgramStore::place(const ElfProgram& program) {
     return format("the program's %u bytes and %u of stack do not fit into the local store limit of %u bytes",
                   end_, stack_reserve_, limit_);
   }
-  std::memset(bytes(), 0, kHardwareSize);
+  clear(bytes());
   for (const ElfSegment& segment : program.segments) {
     if (!segment.overlay) std::copy(segment.bytes.begin(), segment.bytes.end(), bytes() + segment.ls);
   }
