@@ -73,8 +73,8 @@ function(cellsweep_show_only_the_face target)
   set_target_properties(${target} PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/src/cmake/exports.map)
 endfunction()
 
-# cellsweep_quick_to_compile(TARGET): for targets whose own code is not what anybody waits for, above all tests and
-# the command line: little optimisation, in builds that have any.
+# cellsweep_quick_to_compile(TARGET): for targets whose own code is not what anybody waits for, above all the command line:
+# little optimisation, in builds that have any.
 function(cellsweep_quick_to_compile target)
   target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
 endfunction()
@@ -91,4 +91,14 @@ endfunction()
 function(cellsweep_quickest_to_compile target)
   cellsweep_quick_to_compile(${target})
   cellsweep_plain_when_sanitized(${target})
+endfunction()
+
+# cellsweep_test_code(TARGET): for code of tests, which takes longer to compile than to run: no optimisation, but where an
+# emulator runs it.
+function(cellsweep_test_code target)
+  if(CMAKE_CROSSCOMPILING)
+    cellsweep_quick_to_compile(${target})
+  else()
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
 endfunction()
