@@ -2,14 +2,18 @@
 /// Residency: what cell-resident's SPUs hear of and what not, how long they live, and how much they hold.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <map>
 #include <numeric>
 #include <string_view>
 
 #include "cellsweep/world/scene.h"
 #include "engines/cell/cell_world.h"
+#include "engines/cell/ppu/dma_memory.h"
 #include "engines/oracle/brute_force.h"
 
 namespace cellsweep::cell {
@@ -256,6 +260,22 @@ TEST(Resident, AThousandIdenticalBodiesSendHalfAMillionPairs) {
   ASSERT_TRUE(engine.remove(ids).ok());
   ASSERT_TRUE(engine.update().ok());
   EXPECT_TRUE(engine.pairs().empty());
+}
+
+/// The system reads what it writes into a pipe, or says that nobody may.
+TEST(DmaPages, EndWhereNothingMayBeTouched) {
+  std::array<int, 2> pipe_ends{};
+  ASSERT_EQ(pipe(pipe_ends.data()), 0);
+  for (const std::size_t bytes : {std::size_t{1}, std::size_t{128}, std::size_t{1000}, std::size_t{300000}}) {
+    const DmaPages pages(bytes);
+    const std::size_t lines = (bytes + kDmaAlign - 1) / kDmaAlign * kDmaAlign;
+    const std::byte* end = static_cast<const std::byte*>(pages.get()) + lines;
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(pages.get()) % kDmaAlign, 0U);
+    EXPECT_EQ(write(pipe_ends[1], end - 1, 1), 1) << bytes;
+    EXPECT_EQ(write(pipe_ends[1], end, 1), -1) << bytes;
+  }
+  close(pipe_ends[0]);
+  close(pipe_ends[1]);
 }
 
 }  // namespace

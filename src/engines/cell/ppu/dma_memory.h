@@ -38,27 +38,39 @@ using DmaVector = std::vector<T, DmaAllocator<T>>;
 
 /// Zeros for DMA to write over, much more than is written as a rule: pages that the system has to give only
 /// where they are written. The C library's memory may have been another's before, and tools that watch memory
-/// go through all of it.
+/// go through all of it. Behind the last line lies what nobody may touch, so that a transfer beyond is
+/// refused.
 class DmaPages {
  public:
   /// Throws std::bad_alloc.
-  explicit DmaPages(std::size_t bytes)
-      : memory_(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)),
-        bytes_(bytes) {
-    if (memory_ == MAP_FAILED) throw std::bad_alloc();
+  explicit DmaPages(std::size_t bytes) {
+    const std::size_t lines = (bytes + kDmaAlign - 1) / kDmaAlign * kDmaAlign;
+    const std::size_t pages = (lines + kPage - 1) / kPage * kPage;
+    mapped_ = pages + kPage;
+    void* first = mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (first == MAP_FAILED) throw std::bad_alloc();
+    first_ = static_cast<std::byte*>(first);
+    memory_ = first_ + (pages - lines);
+    if (mprotect(first_ + pages, kPage, PROT_NONE) == 0) return;
+    munmap(first_, mapped_);
+    throw std::bad_alloc();
   }
   DmaPages(DmaPages&& other) noexcept
-      : memory_(std::exchange(other.memory_, MAP_FAILED)), bytes_(other.bytes_) {}
+      : first_(std::exchange(other.first_, nullptr)), memory_(other.memory_), mapped_(other.mapped_) {}
   DmaPages& operator=(DmaPages&&) = delete;
   ~DmaPages() {
-    if (memory_ != MAP_FAILED) munmap(memory_, bytes_);
+    if (first_ != nullptr) munmap(first_, mapped_);
   }
 
   void* get() const { return memory_; }
 
  private:
-  void* memory_;
-  std::size_t bytes_;
+  /// The largest page of any system that has SPEs, emulated or not.
+  static constexpr std::size_t kPage = std::size_t{64} << 10;
+
+  std::byte* first_;
+  std::byte* memory_;
+  std::size_t mapped_;
 };
 
 inline WireAddress wire_address(const void* memory) {
