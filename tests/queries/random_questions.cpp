@@ -1,5 +1,6 @@
 #include "queries/random_questions.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <memory>
