@@ -6,9 +6,9 @@ packages_to_build=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev n
 packages_to_draw=(gnuplot-nox)
 packages_for_python=(pybind11-dev python3-dev python3-numpy python3-scipy python3-rtree)
 packages_for_ranks=(libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev libhdf5-openmpi-dev)
-packages_to_test=(libmpfr-dev xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy abigail-tools
+packages_to_test=(ccache libmpfr-dev xvfb libgl1-mesa-dri fonts-dejavu-core libtbb-dev libbullet-dev python3-numpy abigail-tools
   "${packages_for_ranks[@]}" "${packages_for_python[@]}" python3-pytest python3-matplotlib mypy doxygen python3-venv python3-setuptools python3-wheel)
-packages_for_clang=(clang libclang-rt-14-dev)
+packages_for_clang=(clang lld libclang-rt-14-dev)
 packages_for_coverage=(llvm-14)
 packages_for_style=(clang-format clang-tidy)
 packages_for_peers=(libbullet-dev libfcl-dev libode-dev libnanoflann-dev)
@@ -71,16 +71,26 @@ say_steps() {
   if [ "${steps:-0}" -ge 10 ]; then say "building in build/$1: $steps steps on $(nproc) cores"; fi
 }
 
+# What compilers made is kept by ccache, where that is installed, and taken again wherever the same code is compiled, in
+# another clone too: no path of this one counts. Headers compiled before would be another file each time.
+use_compiler_cache() {
+  options_for_cache=()
+  command -v ccache >/dev/null || return 0
+  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+  options_for_cache=(-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+}
+
 # build_preset PRESET [TARGET...]: configures once, then builds; says little when there is little to do. Ninja shows how
 # far it is where somebody watches.
 build_preset() {
   local preset=$1
   shift
+  use_compiler_cache
   # Again when packages came later, or the SPU compiler: SPU programs are then built twice.
   if [ ! -f "build/$preset/build.ninja" ] || [ "$(spu_compiler)" -nt "build/$preset/build.ninja" ] ||
     [ -n "${packages_are_new:-}" ]; then
     say "configuring build/$preset"
-    cmake --preset "$preset" >&2 || return 1
+    cmake --preset "$preset" "${options_for_cache[@]}" >&2 || return 1
   fi
   local quiet=(--quiet)
   [ -t 2 ] && quiet=()

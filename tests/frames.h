@@ -13,6 +13,7 @@
 #include "cellsweep/broadphase.h"
 #include "cellsweep/world/frame_source.h"
 #include "cellsweep/world/recording.h"
+#include "project_file.h"
 
 namespace cellsweep {
 
@@ -41,7 +42,7 @@ struct KnownFrame {
 /// Plays one of the recorded scenes of bench/scenes/ to an empty broadphase, and compares the frames known.
 inline void expect_recorded_frames(Broadphase& broadphase, const std::string& name,
                                    const std::vector<KnownFrame>& known) {
-  auto recording = read_recording(CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-" + name + "-1024.aabbs");
+  auto recording = read_recording(project_file("bench/scenes/bullet-" + name + "-1024.aabbs"));
   ASSERT_TRUE(recording.ok()) << recording.status().message;
   const auto source = make_recording_frames(std::move(*recording));
   ASSERT_TRUE(insert_all(broadphase, *source).ok());

@@ -3,6 +3,7 @@
 #include <elf.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 #include "mfc/format.h"
@@ -104,18 +105,17 @@ std::string check_other_segments(const Segments& segments) {
   return {};
 }
 
-/// Sets the size of the module's constructor array to 0 in the dynamic section and remembers where it was.
-/// False if the section has no end.
-bool take_constructors(PreparedModule& module, const Elf64_Phdr& dynamic) {
+/// Notes where the module's constructors are, and where the dynamic section says how many. False if the
+/// section has no end.
+bool take_constructors(std::span<const std::byte> file, const Elf64_Phdr& dynamic, PreparedModule& module) {
   for (std::uint64_t at = 0; at + sizeof(Elf64_Dyn) <= dynamic.p_filesz; at += sizeof(Elf64_Dyn)) {
-    auto entry = read_at<Elf64_Dyn>(module.file, dynamic.p_offset + at);
+    const auto entry = read_at<Elf64_Dyn>(file, dynamic.p_offset + at);
     if (!entry) return false;
     if (entry->d_tag == DT_NULL) return true;
     if (entry->d_tag == DT_INIT_ARRAY) module.init_array = entry->d_un.d_ptr;
     if (entry->d_tag != DT_INIT_ARRAYSZ) continue;
     module.init_count = entry->d_un.d_val / sizeof(void*);
-    entry->d_un.d_val = 0;
-    std::memcpy(module.file.data() + dynamic.p_offset + at, &*entry, sizeof *entry);
+    module.zero_words.push_back(dynamic.p_offset + at + offsetof(Elf64_Dyn, d_un));
   }
   return false;
 }
@@ -162,9 +162,8 @@ std::optional<PreparedModule> prepare_module(std::span<const std::byte> file, st
   if (error.empty()) error = check_segments(file, segments);
   if (!error.empty()) return std::nullopt;
   PreparedModule module;
-  module.file.assign(file.begin(), file.end());
   for (const Elf64_Phdr& segment : segments) {
-    if (segment.p_type == PT_DYNAMIC && !take_constructors(module, segment)) {
+    if (segment.p_type == PT_DYNAMIC && !take_constructors(file, segment, module)) {
       error = format("its dynamic section of %llu bytes has no end", number(segment.p_filesz));
       return std::nullopt;
     }

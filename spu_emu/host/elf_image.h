@@ -19,10 +19,11 @@ bool is_module(std::span<const std::byte> image);
 /// header at least; while its segment headers are not among them, the number is where those end.
 std::uint64_t claimed_module_size(std::span<const std::byte> known);
 
-/// A module's file with its constructors taken out of the dynamic linker's hands: `init_array` says where
-/// they are (addresses relative to the load address).
+/// What takes a module's constructors out of the dynamic linker's hands: in the copy that it loads, the
+/// 64-bit words at these offsets must be zero. `init_array` says where the constructors are (an address
+/// relative to the load address).
 struct PreparedModule {
-  std::vector<std::byte> file;
+  std::vector<std::uint64_t> zero_words;
   std::uint64_t init_array = 0;
   std::uint64_t init_count = 0;
 };

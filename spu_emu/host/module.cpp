@@ -5,6 +5,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "host/elf_image.h"
 #include "mfc/format.h"
 
@@ -19,6 +21,15 @@ bool write_all(int file, const std::byte* bytes, std::size_t size) {
     size -= static_cast<std::size_t>(written);
   }
   return true;
+}
+
+/// The image with zeros where the module says, written to an empty file.
+bool write_module(int file, std::span<const std::byte> image, const PreparedModule& prepared) {
+  if (!write_all(file, image.data(), image.size())) return false;
+  const std::uint64_t zero = 0;
+  return std::all_of(prepared.zero_words.begin(), prepared.zero_words.end(), [&](std::uint64_t at) {
+    return pwrite(file, &zero, sizeof zero, static_cast<off_t>(at)) == sizeof zero;
+  });
 }
 
 /// The module's segments that hold data; the part that is read-only after relocation counts as constant.
@@ -86,15 +97,15 @@ std::unique_ptr<Module> Module::load(std::span<const std::byte> image, std::stri
   std::unique_ptr<Module> module(new Module);
   module->init_array_ = prepared->init_array;
   module->init_count_ = prepared->init_count;
-  if (!module->open(prepared->file, error)) return nullptr;
+  if (!module->open(image, *prepared, error)) return nullptr;
   return module;
 }
 
 /// The file stays open while the module is loaded: its name must stay its own, or the dynamic linker would
 /// hand out this module for the next one of the same name.
-bool Module::open(const std::vector<std::byte>& file, std::string& error) {
+bool Module::open(std::span<const std::byte> image, const PreparedModule& prepared, std::string& error) {
   file_ = memfd_create("spu_program", MFD_CLOEXEC);
-  if (file_ < 0 || !write_all(file_, file.data(), file.size())) {
+  if (file_ < 0 || !write_module(file_, image, prepared)) {
     error = "no memory for a copy of the program";
     return false;
   }

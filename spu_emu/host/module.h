@@ -14,6 +14,8 @@
 
 namespace spu_emu {
 
+struct PreparedModule;
+
 /// Every object has a copy of all writable data of the program, however often the same image is loaded.
 class Module {
  public:
@@ -38,7 +40,7 @@ class Module {
 
  private:
   Module() = default;
-  bool open(const std::vector<std::byte>& file, std::string& error);
+  bool open(std::span<const std::byte> image, const PreparedModule& prepared, std::string& error);
 
   int file_ = -1;
   void* handle_ = nullptr;

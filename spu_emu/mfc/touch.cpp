@@ -55,11 +55,11 @@ std::uintptr_t touch_goes_on_at(std::uintptr_t instruction) {
 }
 
 bool can_touch(std::uint64_t first, std::uint64_t size, Access access) {
-  constexpr std::uint64_t kPage = 4096;
+  constexpr std::uint64_t kPageBytes = 4096;
   if (!is_guarded.load(std::memory_order_acquire)) return is_mapped(first, size, access);
   const std::uint64_t end = first + size;
   const auto touch = access == Access::write ? &spu_emu_touch_to_write : &spu_emu_touch_to_read;
-  for (std::uint64_t at = first; at < end; at = (at & ~(kPage - 1)) + kPage) {
+  for (std::uint64_t at = first; at < end; at = (at & ~(kPageBytes - 1)) + kPageBytes) {
     if (!touch(at)) return false;
   }
   return true;

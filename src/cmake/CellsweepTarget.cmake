@@ -94,8 +94,9 @@ function(cellsweep_quickest_to_compile target)
 endfunction()
 
 # cellsweep_test_code(TARGET): for code of tests, which takes longer to compile than to run: no optimisation, but where an
-# emulator runs it.
+# emulator runs it. What a failed test says of its place is the same wherever the project lies.
 function(cellsweep_test_code target)
+  target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
   if(CMAKE_CROSSCOMPILING)
     cellsweep_quick_to_compile(${target})
   else()

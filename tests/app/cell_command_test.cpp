@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line.h"
+#include "project_file.h"
 
 namespace cellsweep::app {
 namespace {
@@ -85,9 +86,9 @@ TEST(CellCommand, RefusesPosesForEnginesThatMakeNoBoxesAndOfSourcesThatHaveNone)
   const CommandResult control = run_command("simulate --engine control --spu-boxes --bodies 10 --frames 1");
   EXPECT_EQ(control.exit_code, 2);
   EXPECT_THAT(control.errors, HasSubstr("cell-resident"));
-  const CommandResult recording = run_command("replay " CELLSWEEP_SOURCE_DIR
-                                              "/bench/scenes/bullet-towers-1024.aabbs "
-                                              "--engine cell-resident --spu-boxes");
+  const CommandResult recording =
+      run_command("replay " + project_file("bench/scenes/bullet-towers-1024.aabbs") +
+                  " --engine cell-resident --spu-boxes");
   EXPECT_EQ(recording.exit_code, 2);
   EXPECT_THAT(recording.errors, HasSubstr("poses"));
 }

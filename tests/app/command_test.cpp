@@ -9,6 +9,7 @@
 #include "cellsweep/engines.h"
 #include "cellsweep/world/scene.h"
 #include "command_line.h"
+#include "project_file.h"
 
 namespace cellsweep::app {
 namespace {
@@ -20,11 +21,11 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using Json = nlohmann::json;
 
-constexpr const char* kPile = CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-pile-1024.aabbs";
+const std::string kPile = project_file("bench/scenes/bullet-pile-1024.aabbs");
 
 TEST(Command, ReplaysTheRecordedPileWithItsKnownPairs) {
   const CommandResult result =
-      run_command(std::string("replay ") + kPile + " --engine control --json --report-frames 0,15,30");
+      run_command("replay " + kPile + " --engine control --json --report-frames 0,15,30");
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const Json engine = Json::parse(result.output)["engines"][0];
   EXPECT_EQ(engine["engine"], "control");
@@ -136,8 +137,7 @@ TEST(Command, VerifiesEverySceneWithAGiantInEachPlace) {
 
 TEST(Command, ConvertsARecording) {
   const ScratchFolder scratch;
-  ASSERT_EQ(
-      run_command(std::string("record --from ") + kPile + " --out " + scratch.path("pile.npy")).exit_code, 0);
+  ASSERT_EQ(run_command("record --from " + kPile + " --out " + scratch.path("pile.npy")).exit_code, 0);
   const CommandResult result = run_command("replay --json --frames 0 " + scratch.path("pile.npy"));
   EXPECT_EQ(Json::parse(result.output)["engines"][0]["reports"][0]["hash"], "875cb2208a071dd3");
 }

@@ -12,6 +12,7 @@
 
 #include "cellsweep/engines.h"
 #include "command_line.h"
+#include "project_file.h"
 
 namespace cellsweep::app {
 namespace {
@@ -168,15 +169,13 @@ TEST_F(RenderCommand, DrawsTheBodiesThatAreThere) {
 
 TEST_F(RenderCommand, DrawsRecordings) {
   const CommandResult result =
-      run_command("render " CELLSWEEP_SOURCE_DIR
-                  "/bench/scenes/bullet-pile-1024.aabbs --frame 30 --width 48 --height 32 "
-                  "--samples 1 --out " +
-                  scratch_.path("pile.png"));
+      run_command("render " + project_file("bench/scenes/bullet-pile-1024.aabbs") +
+                  " --frame 30 --width 48 --height 32 --samples 1 --out " + scratch_.path("pile.png"));
   EXPECT_EQ(result.exit_code, 0) << result.errors;
 }
 
 TEST_F(RenderCommand, RefusesWhatItCannotDraw) {
-  const std::string pile = CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-pile-1024.aabbs";
+  const std::string pile = project_file("bench/scenes/bullet-pile-1024.aabbs");
   const std::string out = " --out " + scratch_.path("a.png");
   const CommandResult late = run_command("render " + pile + " --frame 31" + out);
   EXPECT_EQ(late.exit_code, 2);

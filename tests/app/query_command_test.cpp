@@ -15,6 +15,7 @@
 #include "cellsweep/world/scene.h"
 #include "cellsweep/world/trace.h"
 #include "command_line.h"
+#include "project_file.h"
 #include "queries/reference.h"
 
 namespace cellsweep::app {
@@ -305,8 +306,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& refused) { return refused.param.name; });
 
 TEST(RefusedQueryOfAFrame, NamesTheLastFrameThatThereIs) {
-  const CommandResult result = run_command("query " CELLSWEEP_SOURCE_DIR
-                                           "/bench/scenes/bullet-pile-1024.aabbs --frame 31 --point 0,0,0");
+  const CommandResult result = run_command("query " + project_file("bench/scenes/bullet-pile-1024.aabbs") +
+                                           " --frame 31 --point 0,0,0");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.errors, HasSubstr("Frame 31 was asked for, but the last frame is 30."));
 }

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "cellsweep/engines.h"
 #include "command_line.h"
+#include "project_file.h"
 
 namespace cellsweep::app {
 namespace {
@@ -21,7 +22,7 @@ using ::testing::HasSubstr;
 constexpr const char* kNoDisplay = "env -u DISPLAY -u WAYLAND_DISPLAY";
 constexpr const char* kSmallWindow = " --width 640 --height 400 ";
 constexpr const char* kTall = " --width 640 --height 1000 ";  // room for the whole panel
-constexpr const char* kShownPile = CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-pile-1024.aabbs";
+const std::string kShownPile = project_file("bench/scenes/bullet-pile-1024.aabbs");
 #ifdef CELLSWEEP_PICTURES
 constexpr bool kHasPictures = true;
 #else

@@ -10,6 +10,7 @@
 #include "bench/peers/chart/ratios.h"
 #include "bench/peers/chart/tables.h"
 #include "bench/peers/peer_mode.h"
+#include "project_file.h"
 #include "report/text_file.h"
 
 namespace cellsweep::bench {
@@ -212,9 +213,9 @@ TEST(PeerPages, StayAsTheyAreWhenOneHasNoMarks) {
 }
 
 TEST(PeerPages, OfTheProjectHaveTheirMarks) {
-  const std::filesystem::path project = CELLSWEEP_SOURCE_DIR;
-  EXPECT_TRUE(replace_between_marks(*report::read_text_file(project / "README.md"), "peers", "").ok());
-  EXPECT_TRUE(replace_between_marks(*report::read_text_file(project / "docs/peers.md"), "peers", "").ok());
+  EXPECT_TRUE(replace_between_marks(*report::read_text_file(project_file("README.md")), "peers", "").ok());
+  EXPECT_TRUE(
+      replace_between_marks(*report::read_text_file(project_file("docs/peers.md")), "peers", "").ok());
 }
 
 TEST(PeerChart, DrawsEveryExactPeerOfTheSceneOnce) {

@@ -7,6 +7,7 @@
 
 #include "cellsweep/pair.h"
 #include "cellsweep/world/scene.h"
+#include "project_file.h"
 #include "world/recording_matchers.h"
 
 namespace cellsweep {
@@ -19,8 +20,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-const fs::path kSource = CELLSWEEP_SOURCE_DIR;
-const fs::path kPile = kSource / "bench/scenes/bullet-pile-1024.aabbs";
+const fs::path kPile = project_file("bench/scenes/bullet-pile-1024.aabbs");
 
 Aabb cube(float at) {
   return {{at, at, at}, {at + 1, at + 1, at + 1}};
@@ -69,8 +69,8 @@ TEST(Recording, TheCutOfThePileHasItsKnownPairs) {
 
 TEST(Recording, EveryFileOfTheCorpusIsAcceptedOrRefusedAsItsNameSays) {
   std::size_t files = 0;
-  for (const fs::path folder : {"aabbs", "npy"}) {
-    for (const auto& entry : fs::directory_iterator(kSource / "tests/fuzz/corpus" / folder)) {
+  for (const std::string folder : {"aabbs", "npy"}) {
+    for (const auto& entry : fs::directory_iterator(project_file("tests/fuzz/corpus/" + folder))) {
       const std::string name = entry.path().filename().string();
       const Result<Recording> recording = read_recording(entry.path());
       ++files;

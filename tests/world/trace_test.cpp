@@ -6,6 +6,7 @@
 
 #include "cellsweep/world/frame_file.h"
 #include "cellsweep/world/scene.h"
+#include "project_file.h"
 #include "world/recording_matchers.h"
 #include "world/same_frames.h"
 #include "world/trace_check.h"
@@ -96,7 +97,7 @@ TEST(FrameFile, GivesFramesOfRecordingsAndTraces) {
 
 TEST(FrameFile, HasTheTraceOfABulletWorldWhoseBodiesComeGoAndFallAsleep) {
   if (!traces_have_files()) GTEST_SKIP() << "a build without libzip";
-  const Result<FrameFile> file = read_frame_file(CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-falling-40.npz");
+  const Result<FrameFile> file = read_frame_file(project_file("bench/scenes/bullet-falling-40.npz"));
   ASSERT_TRUE(file.ok()) << file.status().message;
   EXPECT_EQ(file->frames(), 300U);
   const auto frames = file->make_source();

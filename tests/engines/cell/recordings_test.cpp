@@ -10,6 +10,7 @@
 
 #include "cellsweep/world/recording.h"
 #include "engines/cell/cell_world.h"
+#include "project_file.h"
 
 namespace cellsweep::cell {
 namespace {
@@ -75,7 +76,7 @@ TEST_P(RecordingOfEngine, GivesTheKnownPairs) {
   auto engine = named.make(way.spes);
   if (way.spes.spe_engine == SpeEngine::isa && !engine) GTEST_SKIP() << engine.status().message;
   ASSERT_TRUE(engine.ok()) << engine.status().message;
-  const std::string path = CELLSWEEP_SOURCE_DIR "/bench/scenes/bullet-" + recorded.name + "-1024.aabbs";
+  const std::string path = project_file("bench/scenes/bullet-" + recorded.name + "-1024.aabbs");
   auto recording = read_recording(path);
   ASSERT_TRUE(recording.ok()) << recording.status().message;
   const auto source = make_recording_frames(std::move(*recording));

@@ -95,7 +95,8 @@ TEST(Image, broken_headers_never_lead_outside_the_file) {
       std::string error;
       const auto prepared = prepare_module(bytes, error);
       EXPECT_EQ(prepared.has_value(), error.empty());
-      EXPECT_EQ(prepared ? prepared->file.size() : file.size(), file.size());
+      if (!prepared) continue;
+      for (const std::uint64_t word : prepared->zero_words) EXPECT_LE(word + sizeof word, file.size());
     }
   }
 }
