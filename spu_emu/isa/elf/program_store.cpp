@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "isa/encoding/big_endian.h"
@@ -39,7 +40,20 @@ bool is_zero(std::byte byte) {
   return byte == std::byte{0};
 }
 
-/// After every stop the whole store is looked through, so not byte by byte.
+constexpr std::uint32_t kPage = 4096;
+
+/// From `at` on, the first page that something was written to, or `end`. At every stop the whole store is
+/// looked through, of which a program writes a few pages.
+std::uint32_t next_written(const std::byte* bytes, std::uint32_t at, std::uint32_t end) {
+  static constexpr std::array<std::byte, kPage> kZeros{};
+  while (at < end) {
+    const std::uint32_t size = std::min(kPage - at % kPage, end - at);
+    if (std::memcmp(bytes + at, kZeros.data(), size) != 0) return at;
+    at += size;
+  }
+  return end;
+}
+
 bool is_zero_quadword(const std::byte* bytes) {
   std::uint64_t halves[2];
   std::memcpy(halves, bytes, sizeof halves);
@@ -83,15 +97,20 @@ void ProgramStore::lower_stack(std::uint32_t entry) {
 }
 
 std::optional<std::uint32_t> ProgramStore::touched_beyond_limit() const {
-  const std::byte* touched = std::find_if_not(bytes() + limit_, bytes() + kHardwareSize, is_zero);
+  const std::uint32_t page = next_written(bytes(), limit_, kHardwareSize);
+  const std::byte* touched = std::find_if_not(bytes() + page, bytes() + kHardwareSize, is_zero);
   if (touched == bytes() + kHardwareSize) return std::nullopt;
   return static_cast<std::uint32_t>(touched - bytes());
 }
 
 std::uint32_t ProgramStore::bytes_in_use() const {
   std::uint32_t used = end_;
-  for (std::uint32_t at = (end_ + kQuadword - 1) / kQuadword * kQuadword; at < limit_; at += kQuadword) {
-    if (!is_zero_quadword(bytes() + at)) used += kQuadword;
+  std::uint32_t at = (end_ + kQuadword - 1) / kQuadword * kQuadword;
+  while ((at = next_written(bytes(), at, limit_)) < limit_) {
+    const std::uint32_t end = std::min((at / kPage + 1) * kPage, limit_);
+    for (; at < end; at += kQuadword) {
+      if (!is_zero_quadword(bytes() + at)) used += kQuadword;
+    }
   }
   return used;
 }
