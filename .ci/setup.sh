@@ -80,6 +80,12 @@ use_compiler_cache() {
   options_for_cache=(-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
 }
 
+# configure_preset PRESET [OPTION...]
+configure_preset() {
+  use_compiler_cache
+  cmake --preset "$1" "${options_for_cache[@]}" "${@:2}" >&2
+}
+
 # build_preset PRESET [TARGET...]: configures once, then builds; says little when there is little to do. Ninja shows how
 # far it is where somebody watches.
 build_preset() {
@@ -90,7 +96,7 @@ build_preset() {
   if [ ! -f "build/$preset/build.ninja" ] || [ "$(spu_compiler)" -nt "build/$preset/build.ninja" ] ||
     [ -n "${packages_are_new:-}" ]; then
     say "configuring build/$preset"
-    cmake --preset "$preset" "${options_for_cache[@]}" >&2 || return 1
+    configure_preset "$preset" || return 1
   fi
   local quiet=(--quiet)
   [ -t 2 ] && quiet=()
