@@ -38,10 +38,10 @@ class CELLSWEEP_API Timeline {
   void show_spes(SpeRows rows);
 
   /// A new row of the host, by number.
-  unsigned add_row(std::string name);
+  [[gnu::cold]] unsigned add_row(std::string name);
 
   /// Spans of a row nest or are apart. `name` is plain text without quotes.
-  void add(unsigned row, std::string name, TimelineTime begin, TimelineTime end);
+  [[gnu::cold]] void add(unsigned row, std::string name, TimelineTime begin, TimelineTime end);
 
  private:
   friend class TimelineSpan;

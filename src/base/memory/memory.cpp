@@ -9,6 +9,8 @@
 #include <limits>
 #include <new>
 
+#include "base/memory/regions.h"
+
 #ifdef __linux__
 #include <sys/mman.h>
 #include <unistd.h>
@@ -22,6 +24,15 @@ namespace {
 constexpr std::size_t kMostWithHugePages = std::size_t{32} << 20;
 
 std::atomic<std::uint64_t> fails_in = 0;
+
+/// Sanitizers know where blocks of the C library end.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#elif defined(__has_feature)
+constexpr bool kIsSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool kIsSanitized = false;
+#endif
 
 MemorySource source;
 std::atomic<bool> was_taken = false;
@@ -59,7 +70,7 @@ void ask_for_huge_pages(void* memory, std::size_t size, std::size_t most = kMost
 }
 
 /// Null where there is none.
-void* grow_mapped(std::byte* memory, std::size_t held, std::size_t bytes) {
+[[gnu::cold]] void* grow_mapped(std::byte* memory, std::size_t held, std::size_t bytes) {
   const std::size_t size = in_pages(bytes);
   void* larger = is_mapped(held)
                      ? mremap(memory, in_pages(held), size, MREMAP_MAYMOVE)
@@ -68,7 +79,7 @@ void* grow_mapped(std::byte* memory, std::size_t held, std::size_t bytes) {
   if (memory == nullptr || is_mapped(held)) return larger;
   ask_for_huge_pages(larger, bytes);
   std::memcpy(larger, memory, held);
-  std::free(memory);
+  give_memory(memory);
   return larger;
 }
 
@@ -107,8 +118,15 @@ void note_taking() {
   if (!was_taken.load(std::memory_order_relaxed)) was_taken.store(true, std::memory_order_relaxed);
 }
 
+bool is_for_regions(std::size_t bytes) {
+  return !kIsSanitized && bytes >= regions::kLeast && bytes <= regions::kMost;
+}
+
 /// Null where there is none.
 void* take_from_system(std::size_t bytes, std::size_t alignment) {
+  if (is_for_regions(bytes)) {
+    if (void* const memory = regions::take(bytes)) return memory;
+  }
   if (bytes >= kHugePage) alignment = kHugePage;
   void* memory = nullptr;
   if (alignment <= alignof(std::max_align_t)) {
@@ -118,6 +136,18 @@ void* take_from_system(std::size_t bytes, std::size_t alignment) {
   }
   if (memory != nullptr) ask_for_huge_pages(memory, bytes);
   return memory;
+}
+
+/// To less than what is mapped, and a block of the C library's to no less than before. Null where there is
+/// none.
+[[gnu::cold]] void* grow_unmapped(std::byte* memory, std::size_t held, std::size_t bytes) {
+  if (!is_for_regions(bytes)) return std::realloc(memory, std::max(bytes, std::size_t{1}));
+  if (regions::resize(memory, bytes)) return memory;
+  void* const larger = take_from_system(bytes, 1);
+  if (larger == nullptr || memory == nullptr) return larger;
+  std::memcpy(larger, memory, std::min(held, bytes));
+  give_memory(memory);
+  return larger;
 }
 
 [[gnu::cold]] std::byte* grow_from_source(std::byte* memory, std::size_t held, std::size_t bytes) {
@@ -148,8 +178,8 @@ std::byte* take_huge_pages(std::size_t bytes, std::size_t alignment) {
 std::byte* grow_memory(std::byte* memory, std::size_t held, std::size_t bytes) {
   if (source.take != nullptr) return grow_from_source(memory, held, bytes);
   note_taking();
-  void* const larger = is_mapped(bytes) ? grow_mapped(memory, held, bytes)
-                                        : std::realloc(memory, std::max(bytes, std::size_t{1}));
+  void* const larger =
+      is_mapped(bytes) ? grow_mapped(memory, held, bytes) : grow_unmapped(memory, held, bytes);
   if (larger == nullptr) throw std::bad_alloc();
   ask_for_huge_pages(larger, bytes);
   return static_cast<std::byte*>(larger);
@@ -161,11 +191,17 @@ void give_grown(std::byte* memory, std::size_t bytes) {
 }
 
 std::size_t shrink_memory(std::byte* memory, std::size_t held, std::size_t bytes) {
-  return source.take == nullptr ? give_pages(memory, held, bytes) : held;
+  if (source.take != nullptr) return held;
+  const std::size_t kept = give_pages(memory, held, bytes);
+  regions::resize(memory, kept);
+  return kept;
 }
 
 void give_memory(void* memory) {
-  if (source.give == nullptr) return std::free(memory);
+  if (source.give == nullptr) {
+    if (!regions::give(memory)) std::free(memory);
+    return;
+  }
   if (memory != nullptr) source.give(source.context, memory);
 }
 

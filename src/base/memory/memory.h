@@ -33,7 +33,8 @@ std::byte* grow_memory(std::byte* memory, std::size_t held, std::size_t bytes);
 void give_grown(std::byte* memory, std::size_t bytes);
 
 /// Lets the system have what it can of a block, from take_memory(), behind its first bytes: pages. Returns
-/// how many of the `held` ones it still has; what is behind them must not be used any more.
+/// how many of the `held` ones it still has; what is behind them must not be used any more, nor may the block
+/// grow.
 std::size_t shrink_memory(std::byte* memory, std::size_t held, std::size_t bytes);
 
 /// Where memory comes from in the place of the system.

@@ -26,8 +26,8 @@ class PairFilter {
  private:
   void allow(std::span<const SlotPair> pairs, const SlotFilters& filters, Array<SlotPair>& allowed);
   void allow_keys(KeyParts parts, const SlotFilters& filters);
-  void cancel(const SlotFilters& filters);
-  void leave_out_cancelled();
+  [[gnu::cold]] void cancel(const SlotFilters& filters);
+  [[gnu::cold]] void leave_out_cancelled();
 
   Array<SlotPair> began_;
   Array<SlotPair> ended_;

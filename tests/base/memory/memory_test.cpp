@@ -15,12 +15,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/memory/pages_there.h"
 #include "base/memory/starved.h"
-
-#ifdef __linux__
-#include <sys/mman.h>
-#include <unistd.h>
-#endif
 
 namespace cellsweep {
 namespace {
@@ -153,15 +149,6 @@ TEST(Memory, ABlockThatCannotGrowIsAsItWas) {
 }
 
 #ifdef __linux__
-
-/// How many whole pages between these the system has memory for.
-std::size_t pages_there(const std::byte* from, const std::byte* to) {
-  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  const std::size_t first = (address(from) + page - 1) / page * page;
-  std::vector<unsigned char> there((address(to) - first) / page);
-  EXPECT_EQ(mincore(reinterpret_cast<void*>(first), there.size() * page, there.data()), 0);
-  return static_cast<std::size_t>(std::ranges::count_if(there, [](unsigned char is) { return is & 1U; }));
-}
 
 TEST(Memory, OfABlockIsGivenBackBehindItsFirstBytes) {
   for (const std::size_t size : {std::size_t{100'000}, kHugePage, 5 * kHugePage}) {

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdlib>
 
+#include "base/memory/regions.h"
 #include "contract/faults/failing_calls.h"
 
 using cellsweep::contract::must_fail;
@@ -56,7 +57,8 @@ int posix_memalign(void** memory, std::size_t alignment, std::size_t bytes) {
 }
 
 void* mmap(void* address, std::size_t bytes, int protection, int flags, int file, off_t offset) noexcept {
-  if (must_fail(Scarce::memory)) {
+  // Without regions each block is a call of its own, which can fail.
+  if (bytes == cellsweep::regions::kAskedAtOnce || must_fail(Scarce::memory)) {
     errno = ENOMEM;
     return MAP_FAILED;
   }

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 
+#include "base/memory/regions.h"
 #include "contract/faults/failing_calls.h"
 
 using cellsweep::contract::must_fail;
@@ -34,7 +35,9 @@ int __wrap_posix_memalign(void** memory, std::size_t alignment, std::size_t byte
 }
 
 void* __wrap_mmap(void* address, std::size_t bytes, int protection, int flags, int file, off_t offset) {
-  if (!must_fail(Scarce::memory)) return __real_mmap(address, bytes, protection, flags, file, offset);
+  // Without regions each block is a call of its own, which can fail.
+  if (bytes != cellsweep::regions::kAskedAtOnce && !must_fail(Scarce::memory))
+    return __real_mmap(address, bytes, protection, flags, file, offset);
   errno = ENOMEM;
   return MAP_FAILED;
 }
