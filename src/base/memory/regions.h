@@ -17,7 +17,7 @@ inline constexpr std::size_t kMostIdle = std::size_t{64} << 20;
 /// What the system is asked for at a time, of which it gets back what is not in whole huge pages.
 inline constexpr std::size_t kAskedAtOnce = std::size_t{34} << 20;
 
-/// Uninitialised memory for kLeast to kMost bytes, aligned to pages, from a huge page on to huge ones; null
+/// Uninitialised memory for kLeast to kMost bytes, aligned to 16 KB, from a huge page on to huge pages; null
 /// where there is none.
 [[gnu::cold]] std::byte* take(std::size_t bytes);
 /// The same block may have so many bytes, more or fewer, up to kMost. False when it stays as it is: where it
