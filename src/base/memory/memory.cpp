@@ -10,6 +10,7 @@
 #include <new>
 
 #include "base/memory/regions.h"
+#include "base/sanitized.h"
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -25,15 +26,6 @@ constexpr std::size_t kMostWithHugePages = std::size_t{32} << 20;
 
 std::atomic<std::uint64_t> fails_in = 0;
 
-/// Sanitizers know where blocks of the C library end.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsSanitized = true;
-#elif defined(__has_feature)
-constexpr bool kIsSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool kIsSanitized = false;
-#endif
-
 MemorySource source;
 std::atomic<bool> was_taken = false;
 
@@ -43,9 +35,9 @@ bool must_fail() {
 
 #ifdef __linux__
 
-/// Blocks that grow are mappings of their own from this size on. Of smaller ones the C library may have
-/// memory whose pages are there already, which takes less than to have them moved once.
-constexpr std::size_t kMapped = std::size_t{8} << 20;
+/// Blocks that grow are mappings of their own from this size on. Of smaller ones there may be memory whose
+/// pages are there already, which takes less than to have them moved once.
+constexpr std::size_t kMapped = regions::kMost;
 
 bool is_mapped(std::size_t bytes) {
   return bytes >= kMapped;
@@ -118,6 +110,7 @@ void note_taking() {
   if (!was_taken.load(std::memory_order_relaxed)) was_taken.store(true, std::memory_order_relaxed);
 }
 
+/// Sanitizers know where blocks of the C library end.
 bool is_for_regions(std::size_t bytes) {
   return !kIsSanitized && bytes >= regions::kLeast && bytes <= regions::kMost;
 }
@@ -138,8 +131,7 @@ void* take_from_system(std::size_t bytes, std::size_t alignment) {
   return memory;
 }
 
-/// To less than what is mapped, and a block of the C library's to no less than before. Null where there is
-/// none.
+/// To less than kMapped. Null where there is none.
 [[gnu::cold]] void* grow_unmapped(std::byte* memory, std::size_t held, std::size_t bytes) {
   if (!is_for_regions(bytes)) return std::realloc(memory, std::max(bytes, std::size_t{1}));
   if (regions::resize(memory, bytes)) return memory;

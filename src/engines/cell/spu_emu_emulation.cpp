@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "base/sanitized.h"
 #include "base/text.h"
 #include "cellsweep/engine/timeline.h"
 #include "engines/cell/emulation.h"
@@ -11,15 +12,8 @@ namespace cellsweep::cell {
 namespace {
 
 /// Variables of a program and of what the compiler links to it; sanitizers make them larger.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool kSanitized = false;
-#endif
 constexpr std::uint64_t kDataBytes = 4096;
-constexpr std::uint64_t kSanitizerBytes = kSanitized ? 64 * 1024 : 0;
+constexpr std::uint64_t kSanitizerBytes = kIsSanitized ? 64 * 1024 : 0;
 constexpr std::uint64_t kLargestLocalStore = std::uint64_t{1} << 30;
 constexpr std::uint64_t kRealLocalStore = std::uint64_t{256} << 10;
 constexpr std::uint64_t kLine = 128;

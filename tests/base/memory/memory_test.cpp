@@ -164,6 +164,19 @@ TEST(Memory, OfABlockIsGivenBackBehindItsFirstBytes) {
   }
 }
 
+#if !defined(CELLSWEEP_SANITIZED_TESTS)
+// Else an engine that is made anew waits for each page again.
+TEST(Memory, OfMiddleSizeHasThePagesOfWhatWasGivenBack) {
+  for (const std::size_t size : {std::size_t{70'000}, std::size_t{1'000'000}, 3 * kHugePage}) {
+    std::memset(Memory<std::byte>(take_memory(size)).get(), 7, size);
+    const Memory<std::byte> taken(take_memory(size));
+    EXPECT_GE(pages_there(taken.get(), taken.get() + size), size / 4096 - 1) << size;
+    const Memory<std::byte> grown(grow_memory(nullptr, 0, size));
+    std::memset(grown.get(), 7, size);
+  }
+}
+#endif
+
 #endif
 
 TEST(Memory, FailsOnceHoweverManyThreadsAskForIt) {
