@@ -80,8 +80,14 @@ void Stream::note_fat_boxes(const BodyChanges& changes, const FatBoxWork& work) 
   growth_choice_.note(work, do_most_move(changes));
 }
 
-FatBoxWork Stream::work_of(Kind kind) const {
-  return {bodies_, kind == kFull, fat_boxes_.changes().size(), overlaps_.candidates(), pairs_};
+FatBoxWork Stream::work_of(const BodyChanges& changes, Kind kind) const {
+  const bool is_full = kind == kFull;
+  return {bodies_,
+          is_full,
+          fat_boxes_.changes().size(),
+          overlaps_.candidates(),
+          pairs_,
+          is_full && fat_boxes_.do_most_tremble(changes)};
 }
 
 Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statistics) {
@@ -114,7 +120,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
     forget_all();
     throw;
   }
-  if (!is_anew_) note_fat_boxes(changes, work_of(kind));
+  if (!is_anew_) note_fat_boxes(changes, work_of(changes, kind));
   most_listed_ = search_.is_worn_out() || parts_.finder ? 0 : costs_.most_listed(bodies_);
   was_full_ = kind == kFull;
   ++updates_[kind];

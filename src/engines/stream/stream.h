@@ -76,7 +76,7 @@ class Stream final : public Engine, public HasFinder {
   [[gnu::cold]] void list_counters(Statistics& statistics) const;
   void note_full();
   void note_fat_boxes(const BodyChanges& changes, const FatBoxWork& work);
-  FatBoxWork work_of(Kind kind) const;
+  FatBoxWork work_of(const BodyChanges& changes, Kind kind) const;
   [[gnu::noinline]] bool refit(const BodyChanges& changes);
   [[gnu::noinline]] void note_slack(const BodyChanges& changes);
   void note_idle(Statistics& statistics);

@@ -45,6 +45,20 @@ std::size_t note_each(std::span<const Slot> moved, Share share, std::uint8_t* es
   return count;
 }
 
+/// Whether more than half of these are so, as some of them tell.
+template <class IsSo>
+bool are_most(std::span<const Slot> slots, const IsSo& is_so) {
+  constexpr std::size_t kLooks = 128;
+  const std::size_t step = slots.size() / kLooks + 1;
+  std::size_t looks = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < slots.size(); i += step) {
+    count += is_so(slots[i]) ? 1 : 0;
+    ++looks;
+  }
+  return 2 * count > looks;
+}
+
 }  // namespace
 
 void FatBoxes::begin_update(const BodyChanges& changes) {
@@ -219,17 +233,14 @@ std::span<const FatBoxChange> FatBoxes::mend_prepared(Crew& crew, const BodyChan
 }
 
 bool FatBoxes::are_being_left(const BodyChanges& changes, float updates) const {
-  constexpr std::size_t kLooks = 128;
-  const std::size_t step = changes.moved.size() / kLooks + 1;
-  std::size_t looks = 0;
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < changes.moved.size(); i += step) {
-    const Slot slot = changes.moved[i];
+  return are_most(changes.moved, [&](Slot slot) {
     const Aabb course = course_of(changes.before[slot], changes.boxes[slot], updates);
-    left += encloses(BoxLanes(fat_[slot]), BoxLanes(course)) ? 0 : 1;
-    ++looks;
-  }
-  return 2 * left > looks;
+    return !encloses(BoxLanes(fat_[slot]), BoxLanes(course));
+  });
+}
+
+bool FatBoxes::do_most_tremble(const BodyChanges& changes) const {
+  return are_most(changes.moved, [&](Slot slot) { return has(slot) && courses_[slot].trembles; });
 }
 
 void FatBoxes::list(const BodyChanges& changes, std::size_t count) {

@@ -7,6 +7,11 @@
 namespace cellsweep::stream {
 namespace {
 
+/// Those of bodies that tremble reach further to either side each time, until they last.
+std::uint32_t updates_of_settling(const FatBoxWork& work) {
+  return work.most_tremble ? tuning::kUpdatesOfSettling : tuning::kUpdatesOfStart;
+}
+
 std::uint64_t cost_of_placing(const FatBoxWork& work) {
   return work.is_full ? tuning::kAllPlacedCost * work.bodies : tuning::kPlacedCost * work.placed;
 }
@@ -39,10 +44,6 @@ void FatBoxChoice::note_size(std::size_t slots) {
   patience_ = 1;
 }
 
-std::uint32_t FatBoxChoice::updates_of_settling() const {
-  return is_small_ ? tuning::kUpdatesOfSettling : tuning::kUpdatesOfSettlingOfLarge;
-}
-
 void FatBoxChoice::note_anew(bool has_cells) {
   if (!is_swept_ || !has_cells) return;
   try_fat_boxes();
@@ -65,7 +66,7 @@ void FatBoxChoice::try_fat_boxes() {
   is_tried_ = false;
   seen_ = 0;
   stays_ = 0;
-  settling_ = updates_of_settling();
+  settled_ = 0;
   judged_ = 0;
   excess_ = 0;
   lasted_ = 0;
@@ -92,11 +93,11 @@ void FatBoxChoice::note(const FatBoxWork& work) {
     --pause_;
     return;
   }
-  if (settling_ > 0 && work.is_full) {
-    --settling_;
+  if (work.is_full && settled_ < updates_of_settling(work)) {
+    ++settled_;
     return;
   }
-  settling_ = 0;
+  settled_ = tuning::kUpdatesOfSettling;
   const std::int64_t anew = cost_anew(work);
   const std::int64_t most_excess = is_small_ ? tuning::kMostExcess : tuning::kMostExcessOfLarge;
   excess_ += cost_of_fat_boxes(work) - anew;

@@ -42,7 +42,6 @@ class FatBoxChoice {
   void note_size(std::size_t slots);
   [[gnu::cold]] void watch(const BodyChanges& changes);
   [[gnu::cold]] void go_on_with_trial(Crew& crew, const BodyChanges& changes);
-  std::uint32_t updates_of_settling() const;
   std::int64_t cost_of_fat_boxes(const FatBoxWork& work) const;
   std::int64_t cost_anew(const FatBoxWork& work) const;
   [[gnu::cold]] void try_fat_boxes();
@@ -57,7 +56,7 @@ class FatBoxChoice {
   bool much_motion_ = false;    // in this update
   std::uint32_t seen_ = 0;      // updates in which bodies are watched; 0: none is
   std::uint32_t pause_ = 0;     // updates that are not swept, whatever they take
-  std::uint32_t settling_ = 0;  // updates at most before what fat boxes have to do counts
+  std::uint32_t settled_ = 0;   // updates before what fat boxes have to do counts
   std::uint32_t judged_ = 0;    // updates that count so far,
   std::int64_t excess_ = 0;     // and what they took more than without fat boxes
   std::uint32_t lasted_ = 0;    // so many times in a row that was less than nothing

@@ -13,6 +13,7 @@ struct FatBoxWork {
   std::size_t placed = 0;  ///< else so many
   std::size_t candidates = 0;
   std::size_t pairs = 0;
+  bool most_tremble = false;  ///< of the bodies that moved, where it is full
 };
 
 }  // namespace cellsweep::stream
