@@ -69,6 +69,9 @@ inline constexpr std::uint32_t kAllAhead = 8;
 /// waves of them where a tenth begins to move at once: a 99th percentile 1.1 times as long.
 inline constexpr std::uint32_t kOneAhead = 32;
 inline constexpr std::uint32_t kOneAheadAtLeast = 8;
+/// In a world without cells all are made anew when the first one is left and most will be within so many
+/// updates. EPYC, swarm 1,000, all moving: 0.76 of the time, and other scenes as before.
+inline constexpr float kLeftSoon = 2;
 /// How much of its own length a box may grow on an axis.
 inline constexpr float kMostGrowth = 1;
 /// And how much it grows at least when it moves. EPYC, stacks in Bullet, which sink a little in each step.

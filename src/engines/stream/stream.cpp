@@ -50,7 +50,7 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
   uses_prepared_ = rebuild_.begin_update(changes);
   crew_.plan(changes.moved.size(), tuning::kMoveGuess);
   if (!uses_prepared_ && refit(changes)) return kFull;
-  switch (fat_boxes_.take(crew_, changes, most_listed_)) {
+  switch (fat_boxes_.take(crew_, changes, list_limit(changes))) {
     case FatBoxes::Extent::inside:
       return kInPlace;
     case FatBoxes::Extent::listed:
@@ -59,6 +59,13 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
       slack_cost_.note_made();
       return kFull;
   }
+}
+
+// Without cells everything is found anew as soon as one has left its fat box. Where the others will have
+// soon, all are made anew with it: else that would be done twice.
+ListLimit Stream::list_limit(const BodyChanges& changes) const {
+  const bool at_once = !search_.has_cells() && do_most_move(changes);
+  return {most_listed_, at_once ? tuning::kLeftSoon : 0};
 }
 
 // Of bodies that do not move they stay what they are.

@@ -77,6 +77,7 @@ class Stream final : public Engine, public HasFinder {
   void note_full();
   void note_fat_boxes(const BodyChanges& changes, const FatBoxWork& work);
   FatBoxWork work_of(const BodyChanges& changes, Kind kind) const;
+  ListLimit list_limit(const BodyChanges& changes) const;
   [[gnu::noinline]] bool refit(const BodyChanges& changes);
   [[gnu::noinline]] void note_slack(const BodyChanges& changes);
   void note_idle(Statistics& statistics);

@@ -34,7 +34,7 @@ bool FatBoxTrial::go_on(Crew& crew, const BodyChanges& changes) {
   of_these.before = {std::span(before).first(count_)};
   of_these.moved = std::span(moved).first(moves);
   of_these.bodies = count_;
-  fat_boxes_.take(crew, of_these, count_);
+  fat_boxes_.take(crew, of_these, {.most_listed = count_});
   if (updates_ > kSettling) escaped_ += fat_boxes_.changes().size();
   return true;
 }

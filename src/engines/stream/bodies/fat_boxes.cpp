@@ -109,10 +109,11 @@ void FatBoxes::begin_prepared(std::span<const Aabb> boxes) {
   prepared_ = copy_of({by_slot(boxes), boxes.size()});
 }
 
-FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, std::size_t most_listed) {
+FatBoxes::Extent FatBoxes::take(Crew& crew, const BodyChanges& changes, const ListLimit& limit) {
   begin_update(changes);
   const std::size_t changed = find_escapes(crew, changes) + changes.removed.size() + changes.inserted.size();
-  if (changed > most_listed) {
+  const bool too_many = changed > limit.most_listed;
+  if (too_many || (changed > 0 && limit.left_soon > 0 && are_being_left(changes, limit.left_soon))) {
     renew_all(crew, changes);
     return Extent::all;
   }

@@ -30,6 +30,12 @@ struct FatBoxChange {
   Aabb new_box{};
 };
 
+/// When changes of fat boxes are listed one by one.
+struct ListLimit {
+  std::size_t most_listed = 0;  ///< up to so many
+  float left_soon = 0;          ///< none, when most will be left within so many updates; 0: all the same
+};
+
 /// Every body has two boxes: its own, and a fat box around it in which it may move about. Fat boxes are what
 /// the cells hold; while a body stays inside of its own, no cell changes. It is the box itself until the body
 /// moves, and from then on covers where the body would be some updates later if it kept its course, and, for
@@ -50,9 +56,8 @@ class FatBoxes {
     all      ///< more changed than should be listed
   };
 
-  /// Takes changes in, of which there are some; up to `most_listed` changes of fat boxes are listed one by
-  /// one.
-  Extent take(Crew& crew, const BodyChanges& changes, std::size_t most_listed);
+  /// Takes changes in, of which there are some.
+  Extent take(Crew& crew, const BodyChanges& changes, const ListLimit& limit);
   /// The same, and those of all bodies that moved are made anew, as small as they may turn out to last.
   [[gnu::cold]] void refit(Crew& crew, const BodyChanges& changes);
 

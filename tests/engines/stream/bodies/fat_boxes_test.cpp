@@ -68,7 +68,7 @@ class FatBoxesTest : public testing::TestWithParam<unsigned> {
 
   /// Hands over what happened. Checks what is listed, and that fat boxes enclose boxes.
   Extent take(std::size_t most_listed = kAny) {
-    const Extent extent = fat_.take(crew_, changes(), most_listed);
+    const Extent extent = fat_.take(crew_, changes(), {.most_listed = most_listed});
     if (extent == Extent::listed) apply(fat_.changes());
     end_update(extent);
     return extent;
