@@ -21,7 +21,7 @@ List<Aabb> copy_of(std::span<const Aabb> boxes) {
 }
 
 /// Those of the last update, which the cells hold.
-List<Aabb> boxes_before(const BodyChanges& changes) {
+[[gnu::cold]] List<Aabb> boxes_before(const BodyChanges& changes) {
   List<Aabb> boxes = copy_of(changes.boxes);
   for (const Slot slot : changes.moved) boxes[slot] = changes.before[slot];
   for (const Slot slot : changes.removed) boxes[slot] = changes.before[slot];
