@@ -256,7 +256,7 @@ inline constexpr float kHardlyMoved = 1.0F / 256;
 /// are judged by so many at a time; by fewer where they take so many sweeps more, or updates without them in
 /// a large world, which comes back to them sooner. EPYC, stacks of 1,000 and 2,000 in Bullet: where those
 /// that tremble had no more than others they did not last, were tried again every 16 updates, and it all took
-/// 1.9 times as long. A pile of 1,000 that begins to fall: with two to start 1.06 times as long.
+/// more than twice as long. A pile of 1,000 that begins to fall: with two to start 1.06 times as long.
 inline constexpr std::uint32_t kUpdatesOfStart = 1;
 inline constexpr std::uint32_t kUpdatesOfSettling = 8;
 inline constexpr std::uint32_t kUpdatesJudged = 8;
