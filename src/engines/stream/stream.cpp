@@ -94,7 +94,7 @@ FatBoxWork Stream::work_of(const BodyChanges& changes, Kind kind) const {
           fat_boxes_.changes().size(),
           overlaps_.candidates(),
           pairs_,
-          is_full && fat_boxes_.do_most_tremble(changes)};
+          is_full && fat_boxes_.do_most_settle(changes)};
 }
 
 Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statistics) {

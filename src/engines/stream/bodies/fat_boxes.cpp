@@ -240,8 +240,11 @@ bool FatBoxes::are_being_left(const BodyChanges& changes, float updates) const {
   });
 }
 
-bool FatBoxes::do_most_tremble(const BodyChanges& changes) const {
-  return are_most(changes.moved, [&](Slot slot) { return has(slot) && courses_[slot].trembles; });
+bool FatBoxes::do_most_settle(const BodyChanges& changes) const {
+  return are_most(changes.moved, [&](Slot slot) {
+    if (has(slot) && courses_[slot].trembles) return true;
+    return step_in_lengths(changes.before[slot], changes.boxes[slot]) <= tuning::kCreepingStep;
+  });
 }
 
 void FatBoxes::list(const BodyChanges& changes, std::size_t count) {

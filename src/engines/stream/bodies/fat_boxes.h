@@ -79,8 +79,8 @@ class FatBoxes {
   /// Whether most of the bodies that moved have left the fat boxes that there are, or will within so many
   /// updates if they keep their course: some tell.
   [[gnu::cold]] bool are_being_left(const BodyChanges& changes, float updates) const;
-  /// Whether most of the bodies that moved are known to tremble: some tell.
-  [[gnu::cold]] bool do_most_tremble(const BodyChanges& changes) const;
+  /// Whether most of the bodies that moved are known to tremble, or creep: some tell.
+  [[gnu::cold]] bool do_most_settle(const BodyChanges& changes) const;
   /// Forgets them, and their memory.
   [[gnu::cold]] void drop_prepared() {
     prepared_ = List<Aabb>();

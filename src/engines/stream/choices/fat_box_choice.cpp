@@ -7,9 +7,10 @@
 namespace cellsweep::stream {
 namespace {
 
-/// Those of bodies that tremble reach further to either side each time, until they last.
+/// Those of bodies that tremble reach further to either side each time, until they last. Of bodies that creep
+/// those are left that turn, a few at a time, and are known to tremble then.
 std::uint32_t updates_of_settling(const FatBoxWork& work) {
-  return work.most_tremble ? tuning::kUpdatesOfSettling : tuning::kUpdatesOfStart;
+  return work.most_settle ? tuning::kUpdatesOfSettling : tuning::kUpdatesOfStart;
 }
 
 std::uint64_t cost_of_placing(const FatBoxWork& work) {

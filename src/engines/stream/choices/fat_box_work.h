@@ -13,7 +13,7 @@ struct FatBoxWork {
   std::size_t placed = 0;  ///< else so many
   std::size_t candidates = 0;
   std::size_t pairs = 0;
-  bool most_tremble = false;  ///< of the bodies that moved, where it is full
+  bool most_settle = false;  ///< where it is full: most of the bodies that moved tremble or creep
 };
 
 }  // namespace cellsweep::stream
