@@ -252,15 +252,15 @@ inline constexpr std::size_t kWatched = 32;
 inline constexpr std::uint32_t kUpdatesWatched = 8;
 /// One that did not stray further in that time, in its own lengths, is as good as at rest.
 inline constexpr float kHardlyMoved = 1.0F / 256;
+/// Bodies that creep, by no more than such a part of their length in an update, are as those that tremble:
+/// where a tenth turns in each update, 700 to 5,000 take 0.25 to 0.6 of the time. With a 256th those take up
+/// to twice as long that make a long step now and then.
+inline constexpr float kCreepingStep = 1.0F / 1024;
 /// Fat boxes have so many updates to start, those of bodies that tremble so many at most to settle; then they
 /// are judged by so many at a time; by fewer where they take so many sweeps more, or updates without them in
 /// a large world, which comes back to them sooner. EPYC, stacks of 1,000 and 2,000 in Bullet: where those
 /// that tremble had no more than others they did not last, were tried again every 16 updates, and it all took
 /// more than twice as long. A pile of 1,000 that begins to fall: with two to start 1.06 times as long.
-/// Bodies that creep, by no more than such a part of their length in an update, are as those that tremble:
-/// where a tenth turns in each update, 700 to 5,000 take 0.25 to 0.6 of the time. With a 256th those take up
-/// to twice as long that make a long step now and then.
-inline constexpr float kCreepingStep = 1.0F / 1024;
 inline constexpr std::uint32_t kUpdatesOfStart = 1;
 inline constexpr std::uint32_t kUpdatesOfSettling = 8;
 inline constexpr std::uint32_t kUpdatesJudged = 8;

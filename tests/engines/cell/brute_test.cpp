@@ -4,9 +4,9 @@
 
 #include <random>
 
+#include "base/sanitized.h"
 #include "engines/cell/cell_world.h"
 #include "engines/cell/ppu/dma_memory.h"
-#include "engines/cell/sanitized.h"
 #include "engines/cell/spu/brute/overlap_row.h"
 
 namespace cellsweep::cell {
@@ -53,7 +53,7 @@ TEST(CellBrute, RefusesALocalStoreWithoutRoomForOneBody) {
 }
 
 TEST(CellBrute, UsesNoMoreLocalStoreThanItsMapSays) {
-  if (kSanitized) GTEST_SKIP() << "a sanitizer's data count too";
+  if (kIsSanitized) GTEST_SKIP() << "a sanitizer's data count too";
   Broadphase engine = make(CellBruteOptions{.spus = 1});
   ASSERT_TRUE(engine.insert(ids_up_to(300), std::vector<Aabb>(300)).ok());
   ASSERT_TRUE(engine.update().ok());

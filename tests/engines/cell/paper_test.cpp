@@ -5,9 +5,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/sanitized.h"
 #include "cellsweep/world/scene.h"
 #include "engines/cell/cell_world.h"
-#include "engines/cell/sanitized.h"
 #include "engines/oracle/brute_force.h"
 
 namespace cellsweep::cell {
@@ -96,7 +96,7 @@ TEST(CellPaper, RefusesMoreThanTheLocalStoreHoldsWithTheMap) {
 }
 
 TEST(CellPaper, UsesNoMoreLocalStoreThanItsMapSays) {
-  if (kSanitized) GTEST_SKIP() << "a sanitizer's data count too";
+  if (kIsSanitized) GTEST_SKIP() << "a sanitizer's data count too";
   for (const unsigned method : {1U, 2U}) {
     for (const bool list_dma : {false, true}) {
       const CellPaperOptions options{.method = method, .list_dma = list_dma};

@@ -56,7 +56,7 @@ class FatBoxChoice {
   bool much_motion_ = false;    // in this update
   std::uint32_t seen_ = 0;      // updates in which bodies are watched; 0: none is
   std::uint32_t pause_ = 0;     // updates that are not swept, whatever they take
-  std::uint32_t settled_ = 0;   // updates before what fat boxes have to do counts
+  std::uint32_t settled_ = 0;   // updates so far in which what fat boxes have to do does not count
   std::uint32_t judged_ = 0;    // updates that count so far,
   std::int64_t excess_ = 0;     // and what they took more than without fat boxes
   std::uint32_t lasted_ = 0;    // so many times in a row that was less than nothing

@@ -202,7 +202,7 @@ TEST_P(LargeWorldTest, HasFatBoxesSoonWhereBodiesWanderOrCreep) {
     std::vector<Aabb> boxes = shown_;
     std::vector<float> ways;
     std::uint64_t full = 0;
-    for (int frame = 0; frame < 80; ++frame) {
+    for (int frame = 0; frame < 80 && !HasFatalFailure(); ++frame) {
       wander(boxes, ways, most, turns);
       full += frame >= 30 && was_full_ ? 1 : 0;
     }
@@ -214,15 +214,13 @@ TEST_P(LargeWorldTest, HasFatBoxesSoonWhereBodiesWanderOrCreep) {
   EXPECT_EQ(full_updates_later(0.0005F, 1), 0U);
 }
 
-// All leave theirs at once, and nobody before: without cells to put a few into, the first ones to leave are
-// no reason to find everything anew for these alone.
+// Some leave theirs an update before the others, by rounding: without cells to put a few into, that is no
+// reason to find everything anew for these alone.
 TEST_P(LargeWorldTest, MakesThemAnewOnceWhereAllFlyOn) {
   std::vector<Aabb> boxes = courses_.boxes();
   std::vector<float> steps;
-  for (std::size_t i = 0; i < 3 * boxes.size(); ++i) {
-    const float slow = i % 30 < 3 ? 1.01F : 1;  // one in ten leaves its fat box an update before the others
-    steps.push_back(slow * (courses_.random().one_in(2) ? 0.03F : -0.03F));
-  }
+  for (std::size_t i = 0; i < 3 * boxes.size(); ++i)
+    steps.push_back(courses_.random().one_in(2) ? 0.03F : -0.03F);
   std::uint64_t full = 0;
   for (int frame = 0; frame < 60; ++frame) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
