@@ -137,16 +137,21 @@ void register_row(const PeerInfo& info, const FewSetting& setting) {
   register_timed_row(name, [&info, setting](benchmark::State& state) { run_row(state, info, setting); });
 }
 
+void register_in_turn(const FewSetting& setting) {
+  for (std::size_t turn = 0; turn < turns_with(setting.bodies); ++turn) {
+    for (const PeerInfo& info : peer_table()) {
+      if (std::find(kPeers.begin(), kPeers.end(), info.name) != kPeers.end()) register_row(info, setting);
+    }
+  }
+}
+
 }  // namespace
 
 void register_few_suite() {
-  for (const PeerInfo& info : peer_table()) {
-    if (std::find(kPeers.begin(), kPeers.end(), info.name) == kPeers.end()) continue;
-    for (const std::string_view scene : kScenes) {
-      for (const std::size_t bodies : kPeerBodies) {
-        if (bodies < 10'000) continue;  // there a hundred are not few
-        for (const std::size_t movers : kMovers) register_row(info, {std::string(scene), bodies, movers});
-      }
+  for (const std::string_view scene : kScenes) {
+    for (const std::size_t bodies : kPeerBodies) {
+      if (bodies < 10'000) continue;  // there a hundred are not few
+      for (const std::size_t movers : kMovers) register_in_turn({std::string(scene), bodies, movers});
     }
   }
 }

@@ -1,8 +1,8 @@
 /// @file
-/// The program of the suite of peers: Google Benchmark's options and, by default, up to 100,000 bodies, three
-/// repetitions in which the rows take turns, median and spread, also in out/peers/peers.json unless rows are
-/// chosen. `--notes` prints how to read the rows; `--giant first|middle|last`, as the first argument, puts a
-/// giant into every scene, and the results into out/peers/giant-SLOT.json.
+/// The program of the suite of peers: Google Benchmark's options and, by default, up to 100,000 bodies. Peers
+/// that are compared take turns, so that each row comes several times; all go into out/peers/peers.json, too,
+/// unless rows are chosen. `--notes` prints how to read the rows; `--giant first|middle|last`, as the first
+/// argument, puts a giant into every scene, and the results into out/peers/giant-SLOT.json.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -31,9 +31,7 @@ bool runs_the_whole_suite(int argc, char** argv) {
 
 // Options given later win, so defaults go in front of the caller's.
 std::vector<char*> with_defaults(int argc, char** argv, const std::string& out) {
-  static std::vector<std::string> defaults = {
-      "--benchmark_repetitions=3", "--benchmark_report_aggregates_only=true",
-      "--benchmark_enable_random_interleaving=true", "--benchmark_filter=/(1000|10000|100000)/"};
+  static std::vector<std::string> defaults = {"--benchmark_filter=/(1000|10000|100000)/"};
   if (runs_the_whole_suite(argc, argv)) defaults.emplace_back("--benchmark_out=" + out);
   std::vector<char*> arguments = {argv[0]};
   for (std::string& option : defaults) arguments.push_back(option.data());

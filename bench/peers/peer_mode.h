@@ -34,6 +34,12 @@ inline constexpr std::size_t kManyWorlds = 64;
 
 inline constexpr std::array<std::size_t, 4> kPeerBodies = {1'000, 10'000, 100'000, 1'000'000};
 
+/// How often peers that are compared take turns. With few bodies a turn takes a few milliseconds.
+constexpr std::size_t turns_with(std::size_t bodies) {
+  if (bodies <= 1'000) return 5;
+  return bodies < 1'000'000 ? 3 : 1;
+}
+
 inline constexpr std::array kPeerModes = {
     PeerModeInfo{"initial", "all new", PeerMode::initial, 0, {kManyWorlds, kManyWorlds, 3, 1}},
     PeerModeInfo{"static_told", "static, told so", PeerMode::static_told, 0, {100, 50, 15, 5}},

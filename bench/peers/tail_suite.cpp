@@ -59,7 +59,9 @@ void run_row(benchmark::State& state, const PeerInfo& peer, const PeerSetting& s
 void register_row(const PeerInfo& peer, const PeerSetting& setting) {
   const std::string name =
       text("p99/", peer.name, "/", setting.scene, "/", setting.bodies, "/", info_of(setting.mode).name);
-  register_timed_row(name, [&peer, setting](benchmark::State& state) { run_row(state, peer, setting); });
+  for (std::size_t turn = 0; turn < turns_with(setting.bodies); ++turn) {
+    register_timed_row(name, [&peer, setting](benchmark::State& state) { run_row(state, peer, setting); });
+  }
 }
 
 }  // namespace

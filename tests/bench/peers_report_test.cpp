@@ -78,6 +78,19 @@ TEST(PeerResults, TakeSingleRunsWhereThereAreNoRepetitions) {
   EXPECT_THAT(results.peers, ElementsAre("memory", "stream", "stream_1", "slow", "quick", "wrong"));
 }
 
+TEST(PeerResults, TakeTheRowInTheMiddleOfPeersThatTookTurns) {
+  const std::string stream = "peers/stream/uniform/1000/initial";
+  const std::string quick = "peers/quick/uniform/1000/initial";
+  const PeerResults results = results_of(
+      row(stream, 14, R"(, "p99": 3)") + row(quick, 70) + row(stream, 10, R"(, "p99": 1)") + row(quick, 90) +
+      row(stream, 12, R"(, "p99": 2)") + row(quick, 80) + row(stream, 0, R"(, "error_occurred": true)"));
+  const PeerTime& time = results.cells.at(kUniform1000Initial).at("stream");
+  EXPECT_DOUBLE_EQ(time.seconds, 12e-6);
+  EXPECT_DOUBLE_EQ(time.p99, 2e-6);
+  EXPECT_NEAR(time.spread, 2.0 / 12, 1e-12);
+  EXPECT_DOUBLE_EQ(results.cells.at(kUniform1000Initial).at("quick").seconds, 80e-6);
+}
+
 TEST(PeerResults, KeepWhatAnEarlierFileSaid) {
   PeerResults results = results_of(row("peers/stream/uniform/1000/initial", 10));
   const std::string later =

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -68,24 +70,66 @@ std::string without_nan(std::string_view text_of_file) {
   return result;
 }
 
-/// Takes one row after the other.
+/// Takes the rows of a file, each with the row in the middle of its repetitions.
 class Reader {
  public:
   explicit Reader(PeerResults& results) : results_(results), earlier_(results.cells) {}
 
-  // Single runs only of rows that come without medians: those of a row with medians are said before them.
-  void take(const json& row) {
-    const std::string name = row.value("run_name", "");
-    const std::vector<std::string> parts = split(name);
-    const bool is_value = is_aggregate(row, "median") || row.value("run_type", "") == "iteration";
-    if (parts.front() == "p99" && is_value) take_tail(row, parts);
-    const auto cell = cell_of(parts);
-    if (parts.front() != "peers" || !cell || is_old(*cell, parts[1])) return;
-    if (is_value) take_time(row, *cell, parts[1]);
-    if (is_aggregate(row, "cv")) results_.cells[*cell][parts[1]].spread = row.value("real_time", 0.0);
+  // Medians that Google Benchmark took itself have the last word.
+  void take_all(const json& rows) {
+    for (const json& row : rows) note_repetition(row);
+    for (const std::string& name : names_) take_middle(name, repetitions_.at(name));
+    for (const json& row : rows) {
+      if (is_aggregate(row, "median")) take(row, name_of(row));
+      if (is_aggregate(row, "cv")) take_spread(name_of(row), row.value("real_time", 0.0));
+    }
   }
 
  private:
+  static std::string name_of(const json& row) { return row.value("run_name", ""); }
+
+  void note_repetition(const json& row) {
+    if (row.value("run_type", "") != "iteration" || row.value("error_occurred", false)) return;
+    auto& of_row = repetitions_[name_of(row)];
+    if (of_row.empty()) names_.push_back(name_of(row));
+    of_row.push_back(&row);
+  }
+
+  void take_middle(const std::string& name, std::vector<const json*> rows) {
+    const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
+    std::nth_element(rows.begin(), middle, rows.end(),
+                     [](const json* a, const json* b) { return seconds_of(*a) < seconds_of(*b); });
+    take(**middle, name);
+    if (rows.size() > 1) take_spread(name, spread_of(rows));
+  }
+
+  // Standard deviation over mean.
+  static double spread_of(const std::vector<const json*>& rows) {
+    double sum = 0, squares = 0;
+    for (const json* row : rows) sum += seconds_of(*row);
+    const auto count = static_cast<double>(rows.size());
+    const double mean = sum / count;
+    for (const json* row : rows) squares += (seconds_of(*row) - mean) * (seconds_of(*row) - mean);
+    return mean > 0 ? std::sqrt(squares / (count - 1)) / mean : 0;
+  }
+
+  void take(const json& row, const std::string& name) {
+    const std::vector<std::string> parts = split(name);
+    if (parts.front() == "p99") take_tail(row, parts);
+    if (const auto cell = new_cell(parts)) take_time(row, *cell, parts[1]);
+  }
+
+  void take_spread(const std::string& name, double spread) {
+    const std::vector<std::string> parts = split(name);
+    if (const auto cell = new_cell(parts)) results_.cells[*cell][parts[1]].spread = spread;
+  }
+
+  // The cell of a row of a peer, unless an earlier file had that row.
+  std::optional<CellKey> new_cell(const std::vector<std::string>& parts) const {
+    const auto cell = cell_of(parts);
+    return parts.front() == "peers" && cell && !is_old(*cell, parts[1]) ? cell : std::nullopt;
+  }
+
   bool is_old(const CellKey& cell, const std::string& peer) const {
     const auto found = earlier_.find(cell);
     return found != earlier_.end() && found->second.contains(peer);
@@ -118,6 +162,8 @@ class Reader {
 
   PeerResults& results_;
   const std::map<CellKey, std::map<std::string, PeerTime>> earlier_;
+  std::map<std::string, std::vector<const json*>> repetitions_;
+  std::vector<std::string> names_;  // of those, in the order of the file
 };
 
 }  // namespace
@@ -129,8 +175,7 @@ Status add_results(std::string_view text_of_file, PeerResults& results) {
   try {
     PeerResults more = results;
     if (more.machine.empty() && file.contains("context")) more.machine = machine_of(file["context"]);
-    Reader reader(more);
-    for (const json& row : file["benchmarks"]) reader.take(row);
+    Reader(more).take_all(file["benchmarks"]);
     results = std::move(more);
   } catch (const json::exception&) {
     return refused;
