@@ -89,9 +89,10 @@ class Reader {
   static std::string name_of(const json& row) { return row.value("run_name", ""); }
 
   void note_repetition(const json& row) {
+    const std::string name = name_of(row);
     if (row.value("run_type", "") != "iteration" || row.value("error_occurred", false)) return;
-    auto& of_row = repetitions_[name_of(row)];
-    if (of_row.empty()) names_.push_back(name_of(row));
+    auto& of_row = repetitions_[name];
+    if (of_row.empty()) names_.push_back(name);
     of_row.push_back(&row);
   }
 
