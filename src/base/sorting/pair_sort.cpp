@@ -103,13 +103,21 @@ void sort_few(KeyParts parts, std::uint32_t* numbers) {
   }
 }
 
-void sort_in_one_step(KeyParts parts, std::size_t total, Array<Key>& scratch, std::uint32_t* numbers) {
-  if (total <= tuning::kFewKeys) return sort_few(parts, numbers);
-  if (sort_narrow_pairs(parts, 0, scratch, numbers)) return;
+/// False when buckets are quicker.
+bool sort_in_one_step(const Crew& crew, KeyParts parts, std::size_t total, Array<Key>& scratch,
+                      std::uint32_t* numbers) {
+  if (total <= tuning::kFewKeys) {
+    sort_few(parts, numbers);
+    return true;
+  }
+  const std::size_t most_narrow = crew.active() <= 2 ? kOneStepAlone : kOneStep;
+  if (total <= most_narrow && sort_narrow_pairs(parts, 0, scratch, numbers)) return true;
+  if (total > kOneStep) return false;
   scratch.renew(2 * total);
   const std::span<Key> keys = scratch.view().first(total);
   const Ranges ranges = gather(parts, keys);
   sort_in_ranges(keys, scratch.view().last(total), ranges, numbers);
+  return true;
 }
 
 void sort_some_buckets(Crew& crew, std::span<const std::size_t> begins, Array<Key>& scratch,
@@ -139,8 +147,7 @@ void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array
   const std::size_t total = count_keys(parts);
   sorted.renew(total);
   if (total == 0) return;
-  if (total <= (crew.active() == 1 ? kOneStepAlone : kOneStep))
-    return sort_in_one_step(parts, total, scratch, numbers_of(sorted));
+  if (sort_in_one_step(crew, parts, total, scratch, numbers_of(sorted))) return;
   KeyBuckets buckets(crew, parts, crew.active());
   scratch.renew(total);
   buckets.distribute(crew, buckets.parts(), scratch.data());

@@ -14,7 +14,8 @@ bool are_clean(std::span<const Aabb> boxes) {
 }
 
 bool are_valid(std::span<const Aabb> boxes) {
-  return std::all_of(boxes.begin(), boxes.end(), [](const Aabb& box) { return is_valid(canonical(box)); });
+  return are_clean(boxes) ||
+         std::all_of(boxes.begin(), boxes.end(), [](const Aabb& box) { return is_valid(canonical(box)); });
 }
 
 }  // namespace cellsweep

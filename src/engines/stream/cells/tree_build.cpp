@@ -181,12 +181,19 @@ std::optional<std::span<const BoxCopy>> TreeBuilder::list_copies(const Boxes& bo
   return list.view();
 }
 
+// Places are anywhere in memory: that of a copy further on is asked for meanwhile.
 void TreeBuilder::fill(const Boxes& boxes, std::span<const BoxCopy> copies, const CellBoxes* targets,
                        std::uint32_t* places) const {
-  for (const BoxCopy& copy : copies) {
+  const auto place_of = [&](const BoxCopy& copy) {
     const std::uint32_t cell = copy.cell_and_flags & kSlotMask;
+    return targets[cell].boxes + places[cell];
+  };
+  for (std::size_t i = 0; i < copies.size(); ++i) {
+    __builtin_prefetch(place_of(copies[std::min(i + tuning::kCopiesAhead, copies.size() - 1)]), 1);
+    const BoxCopy copy = copies[i];
     const std::uint32_t tag = boxes.tag(copy.box) & (copy.cell_and_flags | kSlotMask);
-    targets[cell].boxes[places[cell]++] = {boxes[copy.box], tag, 0};
+    *place_of(copy) = {boxes[copy.box], tag, 0};
+    ++places[copy.cell_and_flags & kSlotMask];
   }
 }
 
