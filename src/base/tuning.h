@@ -404,6 +404,9 @@ inline constexpr std::size_t kBuckets = 512;
 inline constexpr std::size_t kFewKeys = 24;
 /// Narrow keys are sorted by digits with at most so many values for each of them. EPYC, 150 to 36,000 keys.
 inline constexpr std::size_t kValuesOfKey = 4;
+/// And by digits with more values than 2,048 where there are so many keys for each. EPYC, level 4,000 and
+/// 10,000: 0.81 of the time; stacks, dust and uniform 10,000, with fewer than one, 1.03 to 1.4 times.
+inline constexpr std::size_t kKeysOfWideValue = 2;
 /// Keys of so many digits are sorted by all of them. EPYC.
 inline constexpr unsigned kFewDigits = 3;
 /// Others are told apart by so many bits more than it takes to number them. EPYC.

@@ -36,16 +36,16 @@ class NarrowSort {
     std::span<Narrow> to(new (scratch.data()) Narrow[count_], count_);
     const unsigned last = digits_ - 1;
     if (last % 2 != 0) std::swap(from, to);  // so that they are not where they go when they go there
-    for_each_narrowed([to = from.data(), places = places_[0].data(), value = digit(0)](Narrow key) {
+    for_each_narrowed([to = from.data(), places = places_of(0), value = digit(0)](Narrow key) {
       to[places[value(key)]++] = key;
     });
     for (unsigned number = 1; number < last; ++number) {
-      std::uint32_t* const places = places_[number].data();
+      std::uint32_t* const places = places_of(number);
       const Digit value = digit(number);
       for (const Narrow key : from) to[places[value(key)]++] = key;
       std::swap(from, to);
     }
-    std::uint32_t* const places = places_[last].data();
+    std::uint32_t* const places = places_of(last);
     const Digit value = digit(last);
     const Narrowing narrowed = narrowing_;
     for (const Narrow key : from) {
@@ -94,20 +94,25 @@ class NarrowSort {
 
   static constexpr unsigned kFewestDigits = 2;
   static constexpr unsigned kMostDigits = 4;
-  static constexpr unsigned kWidestDigit = 11;  // more counters would outgrow the fastest cache
+  static constexpr unsigned kWideDigit = 11;    // more counters outgrow the fastest cache,
+  static constexpr unsigned kWidestDigit = 14;  // and more than these the next one
 
   // As few as have not too many values, each of which has a counter.
   void choose_digits(unsigned bits) {
     if (bits > 32 || count_ <= tuning::kFewKeys) return;
     for (unsigned digits = kFewestDigits; digits <= kMostDigits; ++digits) {
       digit_bits_ = (bits + digits - 1) / digits;
-      if (digit_bits_ > kWidestDigit || values() > tuning::kValuesOfKey * count_) continue;
+      if (digit_bits_ > kWidestDigit || values() > most_values()) continue;
       digits_ = digits;
       return;
     }
   }
 
   std::size_t values() const { return std::size_t{1} << digit_bits_; }
+  std::size_t most_values() const {
+    return digit_bits_ > kWideDigit ? count_ / tuning::kKeysOfWideValue : tuning::kValuesOfKey * count_;
+  }
+  std::uint32_t* places_of(unsigned number) { return places_.data() + (std::size_t{number} << digit_bits_); }
   Digit digit(unsigned number) const { return {number * digit_bits_, static_cast<Narrow>(values() - 1)}; }
 
   template <class Visit>
@@ -126,17 +131,18 @@ class NarrowSort {
   template <unsigned kDigits>
   void find_places_of() {
     std::array<Digit, kDigits> digits;
+    std::array<std::uint32_t*, kDigits> places;
     for (unsigned number = 0; number < kDigits; ++number) {
-      std::fill_n(places_[number].begin(), values(), 0U);
       digits[number] = digit(number);
+      places[number] = places_of(number);
     }
-    for_each_narrowed([places = places_.data(), digits](Narrow key) {
+    std::fill_n(places_.data(), kDigits * values(), 0U);
+    for_each_narrowed([places, digits](Narrow key) {
       for (unsigned number = 0; number < kDigits; ++number) ++places[number][digits[number](key)];
     });
-    for (unsigned number = 0; number < kDigits; ++number) {
+    for (std::uint32_t* const counts : places) {
       std::uint32_t prefix_sum = 0;
-      for (std::uint32_t& count : std::span(places_[number]).first(values()))
-        prefix_sum += std::exchange(count, prefix_sum);
+      for (std::uint32_t& count : std::span(counts, values())) prefix_sum += std::exchange(count, prefix_sum);
     }
   }
 
@@ -146,7 +152,8 @@ class NarrowSort {
   unsigned digits_ = 0;  // 0: not to be sorted here
   unsigned digit_bits_ = 0;
   // How often each value of each digit occurs; then where the next key with it goes.
-  std::array<std::array<std::uint32_t, std::size_t{1} << kWidestDigit>, kMostDigits> places_;
+  std::array<std::uint32_t, std::size_t{kFewestDigits} << kWidestDigit> places_;
+  static_assert(kMostDigits << kWideDigit <= kFewestDigits << kWidestDigit);
 };
 
 }  // namespace
