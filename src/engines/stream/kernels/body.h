@@ -64,14 +64,16 @@ inline constexpr std::uint32_t kStrip = 128;
 
 inline void add_pairs(const Hits* hits, std::size_t count, const TaggedBox* boxes, std::uint32_t first,
                       KeyBuffer& found) {
+  std::uint64_t* key = found.keys + found.size;
   for (std::size_t h = 0; h < count; ++h) {
     const std::uint32_t tag = boxes[hits[h].place].tag;
     for (std::uint32_t lanes = hits[h].lanes; lanes != 0; lanes &= lanes - 1) {
       const std::uint32_t other = boxes[first + static_cast<unsigned>(__builtin_ctz(lanes))].tag;
-      found.keys[found.size] = key_of(tag, other);
-      found.size += owns(tag, other) ? 1 : 0;
+      *key = key_of(tag, other);
+      key += owns(tag, other) ? 1 : 0;
     }
   }
+  found.size = static_cast<std::size_t>(key - found.keys);
 }
 
 template <class Lanes>
