@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "base/memory/fetch.h"
 #include "base/tuning.h"
 
 namespace cellsweep {
@@ -29,6 +30,8 @@ class NarrowSort {
 
   void write(Array<std::uint64_t>& scratch, std::uint32_t* numbers) {
     scratch.renew((count_ + 1) / 2);
+    // Both will be written to in an order of chance. EPYC, dust 10,000, all new, not in the caches: 0.84 of
+    // the time.
     fetch(scratch.data(), count_ * sizeof(Narrow));
     fetch(numbers, count_ * 2 * sizeof(std::uint32_t));
     find_places();
@@ -83,14 +86,6 @@ class NarrowSort {
 
     std::size_t operator()(Narrow key) const { return key >> shift & mask; }
   };
-
-  // Memory that will be written in an order of chance, while keys are counted. EPYC, dust 10,000, all new,
-  // not in the caches: 0.84 of the time.
-  static void fetch(const void* memory, std::size_t bytes) {
-    constexpr std::size_t kLine = 64;
-    const auto* const first = static_cast<const std::byte*>(memory);
-    for (std::size_t at = 0; at < bytes; at += kLine) __builtin_prefetch(first + at, 1);
-  }
 
   static constexpr unsigned kFewestDigits = 2;
   static constexpr unsigned kMostDigits = 4;
