@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/memory/array.h"
+#include "base/sorting/prefix_sums.h"
 #include "base/tuning.h"
 
 namespace cellsweep {
@@ -87,8 +88,7 @@ void count_values(std::span<const Key> keys, Digits digits, Counts& counts) {
 /// By one digit, stably.
 void distribute(std::span<const Key> from, Digits digits, unsigned digit, std::span<std::uint32_t> counts,
                 Key* to) {
-  std::uint32_t prefix_sum = 0;
-  for (std::uint32_t& count : counts) prefix_sum += std::exchange(count, prefix_sum);
+  make_prefix_sums(counts);
   for (const Key key : from) to[counts[digits.value(key, digit)]++] = key;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/memory/fetch.h"
+#include "base/sorting/prefix_sums.h"
 #include "base/tuning.h"
 
 namespace cellsweep {
@@ -135,10 +136,7 @@ class NarrowSort {
     for_each_narrowed([places, digits](Narrow key) {
       for (unsigned number = 0; number < kDigits; ++number) ++places[number][digits[number](key)];
     });
-    for (std::uint32_t* const counts : places) {
-      std::uint32_t prefix_sum = 0;
-      for (std::uint32_t& count : std::span(counts, values())) prefix_sum += std::exchange(count, prefix_sum);
-    }
+    for (std::uint32_t* const counts : places) make_prefix_sums({counts, values()});
   }
 
   KeyParts parts_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sorting/prefix_sums.h"
+
 namespace cellsweep {
 
 void SteppedSort::begin(List<std::uint64_t>& keys) {
@@ -55,8 +57,7 @@ void SteppedSort::count(std::span<const std::uint64_t> keys) {
 bool SteppedSort::prepare_digit() {
   std::uint32_t* const places = counts(digit_);
   if (keys_.empty() || places[value(keys_[0], digit_)] == keys_.size()) return false;
-  std::uint32_t prefix_sum = 0;
-  for (std::size_t i = 0; i < kValues; ++i) prefix_sum += std::exchange(places[i], prefix_sum);
+  make_prefix_sums({places, kValues});
   return true;
 }
 

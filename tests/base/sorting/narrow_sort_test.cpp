@@ -74,6 +74,14 @@ TEST_F(NarrowSort, IsStdSortForAllWidths) {
   EXPECT_GT(sorted, 800U) << "of 1,683";
 }
 
+TEST_F(NarrowSort, IsStdSortWithDigitsOfAllWidths) {
+  for (unsigned bits = 10; bits <= 16; ++bits) {
+    const Keys keys = keys_below(random_, bits, bits, 40'000);
+    ASSERT_TRUE(sort(keys, 0, random_.below(keys.size() + 1)));
+    EXPECT_TRUE(is_right(keys)) << bits << " and " << bits << " bits";
+  }
+}
+
 TEST_F(NarrowSort, LeavesKeysWithMoreBitsAndTooFewKeysAlone) {
   EXPECT_FALSE(sort(keys_below(random_, 16, 17, 5000), 0, 0)) << "33 bits";
   EXPECT_TRUE(sort(keys_below(random_, 16, 16, 5000), 0, 0));

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <utility>
 
+#include "base/sorting/prefix_sums.h"
 #include "base/tuning.h"
 
 namespace cellsweep::stream {
@@ -31,8 +31,7 @@ void SortedRows::sort(std::span<const SweepRow> rows, std::uint32_t numbers) {
   std::uint32_t* const next = next_.data();
   std::fill_n(next, places, 0U);
   for (const SweepRow& row : rows) ++next[row.low() >> shift];
-  std::uint32_t sum = 0;
-  for (std::uint32_t place = 0; place < places; ++place) sum += std::exchange(next[place], sum);
+  make_prefix_sums({next, places});
   slots_.renew(rows.size());
   ends_.renew(rows.size());
   bytes_.renew(rows.size() + SweptBoxes::kRoom);
