@@ -91,6 +91,15 @@ TEST(PeerResults, TakeTheRowInTheMiddleOfPeersThatTookTurns) {
   EXPECT_DOUBLE_EQ(results.cells.at(kUniform1000Initial).at("quick").seconds, 80e-6);
 }
 
+TEST(PeerResults, TakeTheMedianInTheMiddleWhereTurnsHadRepetitions) {
+  const std::string name = "peers/stream/uniform/1000/initial";
+  const PeerResults results = results_of(row(name, 14, "", "median") + row(name, 0.5, "", "cv") +
+                                         row(name, 12, "", "median") + row(name, 10, "", "median"));
+  const PeerTime& time = results.cells.at(kUniform1000Initial).at("stream");
+  EXPECT_DOUBLE_EQ(time.seconds, 12e-6);
+  EXPECT_NEAR(time.spread, 2.0 / 12, 1e-12);
+}
+
 TEST(PeerResults, KeepWhatAnEarlierFileSaid) {
   PeerResults results = results_of(row("peers/stream/uniform/1000/initial", 10));
   const std::string later =

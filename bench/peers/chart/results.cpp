@@ -70,30 +70,31 @@ std::string without_nan(std::string_view text_of_file) {
   return result;
 }
 
-/// Takes the rows of a file, each with the row in the middle of its repetitions.
+/// Takes what a file holds: of the rows of one name the one in the middle.
 class Reader {
  public:
   explicit Reader(PeerResults& results) : results_(results), earlier_(results.cells) {}
 
-  // Medians that Google Benchmark took itself have the last word.
+  // A median that Google Benchmark took of repetitions is a measurement like others.
   void take_all(const json& rows) {
-    for (const json& row : rows) note_repetition(row);
-    for (const std::string& name : names_) take_middle(name, repetitions_.at(name));
+    for (const json& row : rows) note_measurement(row);
+    for (const std::string& name : names_) take_middle(name, measured_.at(name));
     for (const json& row : rows) {
-      if (is_aggregate(row, "median")) take(row, name_of(row));
-      if (is_aggregate(row, "cv")) take_spread(name_of(row), row.value("real_time", 0.0));
+      if (is_aggregate(row, "cv") && measured_[name_of(row)].size() == 1)
+        take_spread(name_of(row), row.value("real_time", 0.0));
     }
   }
 
  private:
   static std::string name_of(const json& row) { return row.value("run_name", ""); }
 
-  void note_repetition(const json& row) {
+  void note_measurement(const json& row) {
     const std::string name = name_of(row);
-    if (row.value("run_type", "") != "iteration" || row.value("error_occurred", false)) return;
-    auto& of_row = repetitions_[name];
-    if (of_row.empty()) names_.push_back(name);
-    of_row.push_back(&row);
+    const bool is_one = row.value("run_type", "") == "iteration" || is_aggregate(row, "median");
+    if (!is_one || row.value("error_occurred", false)) return;
+    auto& of_name = measured_[name];
+    if (of_name.empty()) names_.push_back(name);
+    of_name.push_back(&row);
   }
 
   void take_middle(const std::string& name, std::vector<const json*> rows) {
@@ -163,7 +164,7 @@ class Reader {
 
   PeerResults& results_;
   const std::map<CellKey, std::map<std::string, PeerTime>> earlier_;
-  std::map<std::string, std::vector<const json*>> repetitions_;
+  std::map<std::string, std::vector<const json*>> measured_;
   std::vector<std::string> names_;  // of those, in the order of the file
 };
 

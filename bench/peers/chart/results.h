@@ -51,8 +51,8 @@ struct PeerResults {
 };
 
 /// Adds what a file holds to the results; rows that are there already stay. Of a row that was measured
-/// several times the measurement in the middle is used, or the median where Google Benchmark wrote one.
-/// Errors: bad_input for what is no JSON of Google Benchmark.
+/// several times the measurement in the middle is used. Errors: bad_input for what is no JSON of Google
+/// Benchmark.
 Status add_results(std::string_view json, PeerResults& results);
 
 }  // namespace cellsweep::bench

@@ -27,7 +27,7 @@ std::uint32_t place_of(const CellBoxes& cell, std::uint32_t slot, std::uint32_t 
 constexpr std::size_t kCellsTogether = 16;
 
 /// Cells that the same worker changes after the one of run `i` are asked for, which may be anywhere in
-/// memory. What another one changes must not be looked at.
+/// memory. What another one changes must not be looked at. In line for the reason that fetch() gives.
 [[gnu::always_inline]] inline void fetch_ahead(std::span<const CellPlaces::Run> runs, std::size_t i,
                                                const Cell* cells) {
   const std::size_t end = std::min(i / kCellsTogether * kCellsTogether + kCellsTogether, runs.size());
