@@ -18,8 +18,8 @@ struct StreamOptions {
   /// an `executor`: at most so many of its tasks at a time.
   unsigned threads = 0;
 
-  /// The caller's job system; null: threads of the library's own, started when they first pay. Shared with
-  /// the Broadphase, which keeps it alive.
+  /// The caller's job system; null: threads of the library's own, started when they first pay, or taken over
+  /// from an engine that was destroyed. Shared with the Broadphase, which keeps it alive.
   std::shared_ptr<Executor> executor{};
 
   VectorIsa isa = VectorIsa::best;

@@ -55,7 +55,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   [[gnu::noinline]] Status insert(std::span<const BodyId> ids, std::span<const Aabb> boxes,
                                   std::span<const BodyFilter> filters = {}) {
     return traced("insert", [&] {
-      crew_.plan(ids.size(), tuning::kInsertGuess);
+      plan_insert(ids.size());
       return bodies_.insert(crew_, ids, boxes, filters, parts_.name, capacity_);
     });
   }
@@ -64,7 +64,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   }
   [[gnu::noinline]] Status add(std::span<const Aabb> boxes, std::span<BodyId> ids) {
     return traced("insert", [&] {
-      crew_.plan(ids.size(), tuning::kInsertGuess);
+      plan_insert(ids.size());
       return bodies_.add(crew_, boxes, ids, parts_.name, capacity_);
     });
   }
@@ -137,6 +137,13 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
     Impl& impl_;
     bool succeeded_ = false;
   };
+
+  // Workers that wake up for the first bodies of all are awake for the update that follows.
+  void plan_insert(std::size_t bodies) {
+    const bool are_first = bodies_.size() == 0 && crew_.has_started();
+    if (are_first) return crew_.plan(bodies, crew_.cost_of_new(bodies));
+    crew_.plan(bodies, tuning::kInsertGuess);
+  }
 
   /// What an update does until anything shows; then either commit() or abandon_update(), which cannot fail.
   Result<PairChanges> prepare();

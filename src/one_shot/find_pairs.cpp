@@ -6,7 +6,7 @@
 #include "base/float_environment.h"
 #include "base/pairs/pair_of.h"
 #include "base/sorting/pair_sort.h"
-#include "base/threads/crew.h"
+#include "base/threads/make_crew.h"
 #include "base/tuning.h"
 #include "engines/stream/common_options.h"
 #include "engines/stream/kernels/kernel.h"
@@ -46,7 +46,7 @@ class Call {
       make_rounded(exact_.view(), boxes_.own);
       search_own();
     }
-    crew_ = stream::make_crew(options_);
+    crew_ = make_crew(options_.executor, options_.threads);
     return {};
   }
 

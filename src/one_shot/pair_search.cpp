@@ -108,7 +108,8 @@ void PairSearch::make_pieces() {
 }
 
 void PairSearch::make_tree() {
-  crew_.plan(boxes_.boxes.size(), tuning::kFullGuess);
+  started_ = WorkCost::Clock::now();
+  crew_.plan(boxes_.boxes.size(), crew_.cost_of_new(boxes_.boxes.size()));
   collector_ = std::make_unique<Collector>(cells_);
   tree_ = std::make_unique<stream::CellTree>(crew_, kernels_, collector_.get());
   tree_->build({boxes_.boxes.data(), boxes_.boxes.size()});
@@ -131,7 +132,8 @@ void PairSearch::find(std::span<const std::unique_ptr<Outlet>> outlets) {
     for (const auto cells : cells_) {
       for (const CellBoxes& cell : cells) find_in(cell, *outlets[0]);
     }
-    return outlets[0]->flush();
+    outlets[0]->flush();
+    return note_time();
   }
   constexpr std::size_t kRun = 64;
   std::vector<std::span<const CellBoxes>> runs;
@@ -143,6 +145,13 @@ void PairSearch::find(std::span<const std::unique_ptr<Outlet>> outlets) {
     for (const CellBoxes& cell : runs[run]) find_in(cell, *outlets[worker]);
   });
   for (const auto& outlet : outlets) outlet->flush();
+  note_time();
+}
+
+// Of cells alone: other ways are not chosen where many workers would have much to do.
+void PairSearch::note_time() {
+  const std::size_t boxes = boxes_.boxes.size();
+  if (tree_) crew_.cost_of_new(boxes).learn(WorkCost::Clock::now() - started_, crew_.active(), boxes);
 }
 
 void PairSearch::find(Outlet& outlet) {

@@ -40,6 +40,7 @@ class PairSearch {
   void make_one_cell();
   void make_pieces();
   void make_tree();
+  void note_time();
   stream::CellBoxes* add_cells(std::size_t cells, std::size_t boxes);
   void find_in(const stream::CellBoxes& cell, Outlet& outlet) const;
 
@@ -53,6 +54,7 @@ class PairSearch {
   Array<stream::CellBoxes> made_;    // those
   std::unique_ptr<Collector> collector_;
   std::unique_ptr<stream::CellTree> tree_;
+  WorkCost::Clock::time_point started_;                    // to make the tree
   std::vector<std::span<const stream::CellBoxes>> cells_;  // in lists
 };
 

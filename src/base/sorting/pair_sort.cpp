@@ -130,6 +130,14 @@ void sort_some_buckets(Crew& crew, std::span<const std::size_t> begins, Array<Ke
   });
 }
 
+void sort_all(Crew& crew, KeyParts parts, std::size_t total, Array<Key>& scratch, std::uint32_t* numbers) {
+  if (sort_in_one_step(crew, parts, total, scratch, numbers)) return;
+  KeyBuckets buckets(crew, parts, crew.active());
+  scratch.renew(total);
+  buckets.distribute(crew, buckets.parts(), scratch.data());
+  sort_some_buckets(crew, buckets.begins(), scratch, numbers);
+}
+
 }  // namespace
 
 bool are_sorted_in_parts(std::size_t keys) {
@@ -146,12 +154,7 @@ template <class AnyPair>
 void sort_pairs(Crew& crew, KeyParts parts, Array<std::uint64_t>& scratch, Array<AnyPair>& sorted) {
   const std::size_t total = count_keys(parts);
   sorted.renew(total);
-  if (total == 0) return;
-  if (sort_in_one_step(crew, parts, total, scratch, numbers_of(sorted))) return;
-  KeyBuckets buckets(crew, parts, crew.active());
-  scratch.renew(total);
-  buckets.distribute(crew, buckets.parts(), scratch.data());
-  sort_some_buckets(crew, buckets.begins(), scratch, numbers_of(sorted));
+  if (total > 0) sort_all(crew, parts, total, scratch, numbers_of(sorted));
 }
 
 template void sort_buckets(Crew&, std::span<const std::size_t>, std::size_t, std::size_t,

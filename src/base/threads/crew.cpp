@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -21,7 +22,11 @@ double seconds_since(Clock::time_point start) {
 }  // namespace
 
 Crew::Crew(std::shared_ptr<Executor> executor, unsigned workers, Choice choice)
-    : executor_(std::move(executor)), workers_(workers), active_(workers), choice_(choice) {}
+    : executor_(std::move(executor)),
+      workers_(workers),
+      active_(workers),
+      choice_(choice),
+      costs_of_new_(std::numeric_limits<std::size_t>::digits + 1, WorkCost(tuning::kFullGuess)) {}
 
 void Crew::use(unsigned workers) {
   active_ = std::clamp(workers, 1U, workers_);
@@ -35,7 +40,7 @@ void Crew::plan(std::size_t items, double seconds_of_item) {
   if (seconds_of_one < tuning::kTooSmall || workers_ == 1) return;
   const double saved = seconds_of_one * (1 - 1.0 / workers_);
   missed_ += saved;
-  if (missed_ < tuning::kStartCost) return;
+  if (!has_started()) return;
   if (saved > 2 * tuning::kJobs * seconds_to_dispatch()) return use(workers_);
   // What was measured at a bad moment must not keep the workers from ever being used.
   if (++unused_ % tuning::kPatience == 0) dispatch_ = -1;

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <atomic>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "base/threads/work_cost.h"
+#include "base/tuning.h"
 #include "cellsweep/executor.h"
 
 namespace cellsweep {
@@ -27,6 +30,7 @@ class Crew {
 
   /// The most workers there can be.
   unsigned workers() const { return workers_; }
+  Choice choice() const { return choice_; }
 
   /// The workers that the next jobs are run by, 1 to workers().
   unsigned active() const { return active_; }
@@ -37,6 +41,13 @@ class Crew {
   [[gnu::noinline]] void plan(std::size_t items, double seconds_of_item);
   /// Of which it is known by now what they take; all the same for a number of workers that is given.
   void plan(std::size_t items, const WorkCost& cost);
+
+  /// Whether there has been enough work by now for workers that come at a price, by_gain.
+  bool has_started() const { return missed_ >= tuning::kStartCost; }
+
+  /// What it takes to find all pairs of so many boxes that nobody has seen before, for each of them: learnt
+  /// by all who have had this crew, from about as many.
+  WorkCost& cost_of_new(std::size_t boxes) { return costs_of_new_[std::bit_width(boxes)]; }
 
   /// Calls `job(worker)` once for each active worker and returns when all have returned. Throws what a job
   /// threw, one of them.
@@ -73,9 +84,10 @@ class Crew {
   unsigned workers_;
   unsigned active_;
   Choice choice_;
-  double missed_ = 0;         // seconds that workers would have saved, had there been any
-  double dispatch_ = -1;      // seconds that handing an empty job to all takes, once measured
-  std::uint64_t unused_ = 0;  // times that this was too much for work that was worth a try
+  double missed_ = 0;                   // seconds that workers would have saved, had there been any
+  double dispatch_ = -1;                // seconds that handing an empty job to all takes, once measured
+  std::uint64_t unused_ = 0;            // times that this was too much for work that was worth a try
+  std::vector<WorkCost> costs_of_new_;  // by the bits of the number of boxes
 };
 
 /// Work of so many items, from here to the end of the block: chooses the workers for it, and learns what it

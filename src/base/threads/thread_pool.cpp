@@ -9,6 +9,9 @@ namespace {
 /// Looks at an atomic this often before the operating system is asked to wait: some ten microseconds.
 constexpr int kSpins = 1000;
 
+/// Where the system gave no more threads it is asked again after so many jobs: it may have some by then.
+constexpr std::uint32_t kJobsUntilRetry = 1000;
+
 void relax() {
 #if defined(__x86_64__) || defined(__i386__)
   __builtin_ia32_pause();
@@ -53,19 +56,21 @@ ThreadPool::~ThreadPool() {
 void ThreadPool::leave_threads_of_parent() {
   if (process_.is_this_process()) return;
   static_cast<void>(threads_.release());
-  no_more_ = false;
+  refused_ = 0;
   process_.renew();
 }
 
 void ThreadPool::start_threads() {
   leave_threads_of_parent();
-  if (no_more_ || (threads_ && threads_->size() + 1 == concurrency_)) return;
+  if (threads_ && threads_->size() + 1 == concurrency_) return;
+  if (refused_ > 0 && ++refused_ <= kJobsUntilRetry) return;
   if (!threads_) threads_ = std::make_unique<std::vector<std::thread>>();
   threads_->reserve(concurrency_ - 1);
   try {
     while (threads_->size() + 1 < concurrency_) threads_->emplace_back([this] { work(); });
+    refused_ = 0;
   } catch (const std::system_error&) {
-    no_more_ = true;
+    refused_ = 1;
   }
 }
 

@@ -3,15 +3,9 @@
 /// in a program that has only the one.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <memory>
 
 #include "base/text.h"
-#include "base/threads/crew.h"
-#include "base/threads/thread_pool.h"
-#include "base/tuning.h"
-#include "cellsweep/executor.h"
 #include "cellsweep/status.h"
 #include "cellsweep/vector_isa.h"
 
@@ -23,18 +17,6 @@ namespace {
 
 /// More than any machine has; more are a slip of the pen.
 inline constexpr unsigned kMostThreads = 1024;
-
-/// `AnyOptions` has threads and an executor, which were checked.
-template <class AnyOptions>
-std::shared_ptr<Crew> make_crew(const AnyOptions& options) {
-  const auto choice = options.threads == 0 ? Crew::Choice::by_gain : Crew::Choice::given;
-  const unsigned machine = std::min(machine_threads(), tuning::kMostWorkers);
-  const unsigned wanted = options.threads == 0 ? machine : options.threads;
-  if (!options.executor) return std::make_shared<Crew>(std::make_shared<ThreadPool>(wanted), wanted, choice);
-  const unsigned there = std::max(1U, options.executor->concurrency());
-  const unsigned workers = std::min(there, options.threads == 0 ? tuning::kMostWorkers : options.threads);
-  return std::make_shared<Crew>(options.executor, workers, choice);
-}
 
 /// The refusal of more than kMostThreads.
 inline Status too_many_threads(unsigned threads) {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "base/threads/crew.h"
+#include "base/threads/make_crew.h"
 #include "engines/common/handle_parts.h"
 #include "engines/stream/common_options.h"
 #include "engines/stream/kernels/kernel.h"
@@ -40,7 +40,7 @@ Status check(const StreamOptions& options) {
 [[gnu::cold]] Result<Broadphase> make_stream_broadphase(const StreamOptions& options, std::string_view name,
                                                         FinderMaker make_finder, std::string row_name) {
   if (Status status = check(options); !status.ok()) return status;
-  const auto crew = make_crew(options);
+  const auto crew = make_crew(options.executor, options.threads);
   const auto make = [crew, max_pairs = static_cast<std::size_t>(options.max_pairs),
                      kernels = find_kernels(options.isa), margin = options.margin,
                      make_finder = std::move(make_finder)] {

@@ -290,9 +290,11 @@ FoundPairs Stream::find_all(const BodyChanges& changes, std::size_t most_swept, 
   return find_anew(changes, most_swept, timer);
 }
 
+// An engine that has seen none of its bodies before goes by what earlier engines learnt.
 FoundPairs Stream::find_anew(const BodyChanges& changes, std::size_t most_swept, PhaseTimer& timer) {
   const WorkCost::Clock::time_point start = WorkCost::Clock::now();
-  crew_.plan(bodies_, costs_.full);
+  WorkCost& cost = changes.inserted.size() == bodies_ ? crew_.cost_of_new(bodies_) : costs_.full;
+  crew_.plan(bodies_, cost);
   search_.find_all(fat_boxes_, changes.boxes, most_swept);
   changed_ += bodies_;
   timer.lap("cells");
@@ -302,7 +304,9 @@ FoundPairs Stream::find_anew(const BodyChanges& changes, std::size_t most_swept,
     overlaps_.put_in_order();
     timer.lap("sort");
   }
-  costs_.full.learn(WorkCost::Clock::now() - start, crew_.active(), bodies_);
+  const WorkCost::Clock::duration elapsed = WorkCost::Clock::now() - start;
+  costs_.full.learn(elapsed, crew_.active(), bodies_);
+  if (&cost != &costs_.full && search_.has_cells()) cost.learn(elapsed, crew_.active(), bodies_);
   const FoundPairs found = overlaps_.compare(changes);
   timer.lap("tests");
   return found;

@@ -207,6 +207,19 @@ TEST(ThreadPool, IsTheCallingThreadAloneWhereTheSystemGivesNoThread) {
   }
 }
 
+TEST(ThreadPool, AsksForThreadsAgainInTheLongRun) {
+  ThreadPool pool(4);
+  {
+    const StackSize larger_than_any_address(std::size_t{1} << 60);
+    run_and_check(pool, 4);
+  }
+  for (int job = 0; job < 1000; ++job) run_and_check(pool, 4);
+  Tasks tasks(4, Length::long_ones);
+  tasks.run_on(pool);
+  EXPECT_THAT(tasks.calls(), testing::Each(1));
+  EXPECT_EQ(tasks.threads().size(), 4U);
+}
+
 // Sanitizers and emulators need addresses of their own.
 #if !defined(CELLSWEEP_SANITIZED_TESTS) && !defined(CELLSWEEP_EMULATED_TESTS)
 

@@ -1,0 +1,57 @@
+#include "base/threads/make_crew.h"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "base/threads/thread_pool.h"
+#include "base/tuning.h"
+
+namespace cellsweep {
+namespace {
+
+std::atomic<Crew*> kept = nullptr;
+std::atomic<bool> is_over = false;
+
+/// The threads end before the code that they run is unloaded. An engine may be destroyed later.
+struct EndOfKeeping {
+  ~EndOfKeeping() {
+    is_over = true;
+    delete kept.exchange(nullptr);
+  }
+} end_of_keeping;
+
+[[gnu::cold]] void keep(Crew* crew) {
+  if (!is_over) crew = kept.exchange(crew);
+  delete crew;
+}
+
+// What does not fit may fit the next who asks.
+[[gnu::cold]] Crew* take_kept(unsigned workers, Crew::Choice choice) {
+  Crew* crew = kept.exchange(nullptr);
+  if (crew == nullptr) return nullptr;
+  if (crew->workers() == workers && crew->choice() == choice) {
+    crew->use(workers);
+    return crew;
+  }
+  keep(crew);
+  return nullptr;
+}
+
+}  // namespace
+
+[[gnu::cold]] std::shared_ptr<Crew> make_crew(std::shared_ptr<Executor> executor, unsigned threads) {
+  const auto choice = threads == 0 ? Crew::Choice::by_gain : Crew::Choice::given;
+  const unsigned there = executor ? std::max(1U, executor->concurrency()) : machine_threads();
+  const unsigned most = threads == 0 ? tuning::kMostWorkers : threads;
+  const unsigned workers = executor || threads == 0 ? std::min(most, there) : threads;
+  const bool may_keep = !executor && workers > 1;
+  Crew* crew = may_keep ? take_kept(workers, choice) : nullptr;
+  if (crew == nullptr) {
+    if (!executor) executor = std::make_shared<ThreadPool>(workers);
+    crew = new Crew(std::move(executor), workers, choice);
+  }
+  return {crew, may_keep ? keep : [](Crew* given_up) { delete given_up; }};
+}
+
+}  // namespace cellsweep
