@@ -70,7 +70,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   }
   Status move(std::span<const BodyId> ids, std::span<const Aabb> boxes) {
     return traced("move", [&] {
-      crew_.plan(ids.size(), tuning::kMoveGuess);
+      const TimedWork work(crew_, ids.size(), move_cost_);
       return bodies_.move(crew_, ids, boxes);
     });
   }
@@ -168,6 +168,7 @@ class [[gnu::visibility("hidden")]] Broadphase::Impl {
   ProcessMark process_;           // the engine's, whose threads may not be in another one
   Capacity capacity_;
   Crew& crew_ = *parts_.crew;
+  WorkCost move_cost_{tuning::kMoveGuess};
   mutable std::atomic_flag crew_is_taken_;  // by a batch of queries
   mutable Readers readers_;
   mutable KeptTree kept_tree_;

@@ -31,14 +31,15 @@ class WorkCost {
 
  private:
   void note_turn(double sample);
-  [[gnu::cold]] void end_trial();
+  void begin_trial(bool by_all);
+  void end_trial(double mean);
 
   double alone_;                 // seconds of an item, by one worker
   double together_ = 0;          // by all; 0: not known
   double tried_ = 0;             // the sum of this trial
   bool is_alone_known_ = false;  // not only by what all took
   bool by_all_ = true;           // the next work
-  bool is_trial_ = false;        // which is done the other way than usual
+  bool is_trial_ = true;         // which is done the other way than usual, or for the first time
   std::uint32_t turns_ = 0;      // since the last trial began, or ended
   std::uint32_t patience_ = tuning::kLeastTurns;
 };

@@ -20,9 +20,22 @@ std::vector<BodyId> all_where(std::span<const BodyId> ids, IsAtFault&& is_at_fau
   return bad;
 }
 
-Status refuse(StatusCode code, const std::vector<BodyId>& bad, const char* why) {
-  if (bad.empty()) return {};
+[[gnu::cold, gnu::noinline]] Status bad_bodies(StatusCode code, const std::vector<BodyId>& bad,
+                                               const char* why) {
   return Status::bad_bodies(code, text(subject(std::span(bad)), " ", why, "."), bad);
+}
+
+Status refuse(StatusCode code, const std::vector<BodyId>& bad, const char* why) {
+  return bad.empty() ? Status() : bad_bodies(code, bad, why);
+}
+
+[[gnu::cold, gnu::noinline]] Status over_capacity(std::string_view engine, const Capacity& capacity,
+                                                  std::uint64_t wanted) {
+  const std::string mend =
+      capacity.setting.empty() ? "no setting raises this limit" : "raise " + capacity.setting;
+  return Status::over_capacity(text("Engine ", engine, " takes ", capacity.bodies, " bodies, ", wanted,
+                                    " were asked for: ", capacity.reason, "; ", mend, "."),
+                               wanted, capacity.bodies, capacity.setting);
 }
 
 }  // namespace
@@ -90,12 +103,7 @@ Status find_listed_twice(std::span<const BodyId> ids) {
 }
 
 Status check_capacity(std::string_view engine, const Capacity& capacity, std::uint64_t wanted) {
-  if (wanted <= capacity.bodies) return {};
-  const std::string mend =
-      capacity.setting.empty() ? "no setting raises this limit" : "raise " + capacity.setting;
-  return Status::over_capacity(text("Engine ", engine, " takes ", capacity.bodies, " bodies, ", wanted,
-                                    " were asked for: ", capacity.reason, "; ", mend, "."),
-                               wanted, capacity.bodies, capacity.setting);
+  return wanted <= capacity.bodies ? Status() : over_capacity(engine, capacity, wanted);
 }
 
 bool ascends(std::span<const BodyId> ids) {

@@ -48,7 +48,7 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
   }
   fat_boxes_.use_growth(growth_choice_.growth());
   uses_prepared_ = rebuild_.begin_update(changes);
-  crew_.plan(changes.moved.size(), tuning::kMoveGuess);
+  const TimedWork work(crew_, changes.moved.size(), costs_.looked_at);
   if (!uses_prepared_ && refit(changes)) return kFull;
   switch (fat_boxes_.take(crew_, changes, list_limit(changes))) {
     case FatBoxes::Extent::inside:

@@ -46,7 +46,7 @@ class Stream final : public Engine, public HasFinder {
   Result<FoundPairs> update(const BodyChanges& changes, Statistics& statistics) override;
   [[gnu::cold]] void count(Statistics& statistics) const override;
   /// A look inside; `boxes` are those of the last update, by slot.
-  StreamView view(std::span<const Aabb> boxes) const;
+  [[gnu::cold]] StreamView view(std::span<const Aabb> boxes) const;
   const PieceFinder* finder() const override { return parts_.finder.get(); }
   CellsToQuery cells() const override {
     return {search_.has_cells() ? &search_.cells().root() : nullptr, parts_.kernels->isa,

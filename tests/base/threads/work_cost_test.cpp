@@ -77,6 +77,26 @@ TEST(WorkCost, WhatWasSlowerIsUsedOnceItIsQuicker) {
   }
 }
 
+int turns_alone(WorkCost& cost, int times, microseconds alone, microseconds by_all) {
+  return times - work(cost, times, alone, by_all);
+}
+
+TEST(WorkCost, WhatIsClearlySlowerIsTriedForTwoTurnsAndNotSoonAgain) {
+  WorkCost cost(100e-9);
+  EXPECT_LE(turns_alone(cost, 40, microseconds(100), microseconds(60)), 4);
+  WorkCost other(100e-9);
+  EXPECT_LE(work(other, 40, microseconds(60), microseconds(100)), 6);
+  WorkCost close(100e-9);
+  EXPECT_GT(turns_alone(close, 40, microseconds(100), microseconds(90)), 6) << "where little is lost by it";
+}
+
+// The first time threads start, and memory is new.
+TEST(WorkCost, TheFirstTurnOfAllDoesNotCount) {
+  WorkCost cost(100e-9);
+  cost.learn(microseconds(10'000), kWorkers, kItems);
+  EXPECT_LE(turns_alone(cost, 40, microseconds(100), microseconds(60)), 4);
+}
+
 // What the others of before left in their caches is no reason against a change.
 TEST(WorkCost, TheFirstTurnOfATrialDoesNotCount) {
   WorkCost cost(100e-9);

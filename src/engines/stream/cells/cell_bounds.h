@@ -10,6 +10,6 @@ namespace cellsweep::stream {
 
 /// Appends the bounds of all innermost cells that hold a box. Cells at the border of a grid, which reach to
 /// infinity, are cut off at `bounds`.
-void list_cell_bounds(const Node& node, const Aabb& bounds, std::vector<Aabb>& cells);
+[[gnu::cold]] void list_cell_bounds(const Node& node, const Aabb& bounds, std::vector<Aabb>& cells);
 
 }  // namespace cellsweep::stream

@@ -10,8 +10,10 @@
 
 namespace cellsweep::stream {
 
-/// Of a body when everything is found anew, and of one whose fat box changed.
+/// Of a body that moved, as to whether it left its fat box; of one when everything is found anew, and of one
+/// whose fat box changed.
 struct UpdateCosts {
+  WorkCost looked_at{tuning::kMoveGuess};
   WorkCost full{tuning::kFullGuess};
   WorkCost partial{tuning::kPartialGuess};
 
