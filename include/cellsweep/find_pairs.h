@@ -51,8 +51,8 @@ struct FindPairsOptions {
   /// `executor`: at most so many of its tasks at a time.
   unsigned threads = 0;
 
-  /// The caller's job system; null: threads of the library's own, which one call at a time takes over from
-  /// those before. Of several calls at once all but one start theirs, in some tenths of a millisecond.
+  /// The caller's job system; null: threads of the library's own, which a call takes over from those before.
+  /// Of several calls at once all but two start theirs, in some tenths of a millisecond.
   std::shared_ptr<Executor> executor{};
 
   VectorIsa isa = VectorIsa::best;

@@ -1,6 +1,7 @@
 #include "base/threads/make_crew.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <utility>
 
@@ -10,31 +11,36 @@
 namespace cellsweep {
 namespace {
 
-std::atomic<Crew*> kept = nullptr;
+/// The ones that were given up last: two, for an engine is often made in the place of one that was not used.
+std::array<std::atomic<Crew*>, 2> kept;
 std::atomic<bool> is_over = false;
 
 /// The threads end before the code that they run is unloaded. An engine may be destroyed later.
 struct EndOfKeeping {
   ~EndOfKeeping() {
     is_over = true;
-    delete kept.exchange(nullptr);
+    for (std::atomic<Crew*>& place : kept) delete place.exchange(nullptr);
   }
 } end_of_keeping;
 
 [[gnu::cold]] void keep(Crew* crew) {
-  if (!is_over) crew = kept.exchange(crew);
+  if (!is_over) {
+    for (std::atomic<Crew*>& place : kept) crew = crew != nullptr ? place.exchange(crew) : nullptr;
+  }
   delete crew;
 }
 
 // What does not fit may fit the next who asks.
 [[gnu::cold]] Crew* take_kept(unsigned workers, Crew::Choice choice) {
-  Crew* crew = kept.exchange(nullptr);
-  if (crew == nullptr) return nullptr;
-  if (crew->workers() == workers && crew->choice() == choice) {
-    crew->use(workers);
-    return crew;
+  for (std::atomic<Crew*>& place : kept) {
+    Crew* const crew = place.exchange(nullptr);
+    if (crew == nullptr) continue;
+    if (crew->workers() == workers && crew->choice() == choice) {
+      crew->use(workers);
+      return crew;
+    }
+    keep(crew);
   }
-  keep(crew);
   return nullptr;
 }
 

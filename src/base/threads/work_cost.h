@@ -18,10 +18,10 @@ class WorkCost {
   using Clock = std::chrono::steady_clock;
 
   /// `first_guess` is in seconds of one worker.
-  explicit WorkCost(double first_guess) : alone_(first_guess) {}
+  explicit WorkCost(double first_guess) : mean_(first_guess) {}
 
   /// Of an item, by one worker.
-  double seconds() const { return alone_; }
+  double seconds() const { return mean_; }
 
   /// Whether the next work is to be done by all workers, where they are worth their dispatch.
   bool by_all() const { return by_all_; }
@@ -32,11 +32,11 @@ class WorkCost {
  private:
   void note_turn(double sample);
   void begin_trial(bool by_all);
-  void end_trial(double mean);
+  void end_trial();
 
-  double alone_;                 // seconds of an item, by one worker
-  double together_ = 0;          // by all; 0: not known
-  double tried_ = 0;             // the sum of this trial
+  double mean_;                  // seconds of an item, by one worker
+  double alone_ = 0;             // the least that it took of late, by one; what delays one delays by chance
+  double together_ = 0;          // and by all
   bool is_alone_known_ = false;  // not only by what all took
   bool by_all_ = true;           // the next work
   bool is_trial_ = true;         // which is done the other way than usual, or for the first time

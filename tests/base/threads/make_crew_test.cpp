@@ -56,7 +56,8 @@ int work_and_count_known(Crew& crew) {
 
 /// Whoever comes next finds no workers but those given up from here on.
 void use_up_kept() {
-  make_crew(nullptr, 7);
+  const Shared one = make_crew(nullptr, 7);
+  const Shared other = make_crew(nullptr, 7);
 }
 
 TEST(MakeCrew, HasTheWorkersThatWereAskedFor) {
@@ -89,22 +90,35 @@ TEST(MakeCrew, GivesNobodyOtherWorkersThanWereAskedForAndKeepsThemAllTheSame) {
     EXPECT_EQ(other->workers(), 4U);
     EXPECT_EQ(work_and_count_known(*make_crew(nullptr, 3)), 2);
   }
-  EXPECT_EQ(work_and_count_known(*make_crew(nullptr, 3)), 0) << "the last that were given up are kept";
+  EXPECT_EQ(work_and_count_known(*make_crew(nullptr, 3)), 2) << "beside those that were given up later";
+  use_up_kept();
+  EXPECT_EQ(work_and_count_known(*make_crew(nullptr, 3)), 0) << "only the last two are kept";
 }
 
-TEST(MakeCrew, EndsTheThreadsOfAllButOne) {
+// As a member is that is made first, and then gets the one it is to have.
+TEST(MakeCrew, KeepsThreadsWhereAnotherIsMadeInThePlaceOfOneThatWasNotUsed) {
   use_up_kept();
-  Shared first = make_crew(nullptr, 3);
-  Shared second = make_crew(nullptr, 4);
-  work_and_count_known(*first);
-  work_and_count_known(*second);
+  int known = 0;
+  for (int frame = 0; frame < 10; ++frame) {
+    Shared member = make_crew(nullptr, 3);
+    member = make_crew(nullptr, 3);
+    known += work_and_count_known(*member);
+  }
+  EXPECT_GE(known, 8 * 2) << "in all frames but the first two";
+}
+
+TEST(MakeCrew, EndsTheThreadsOfAllButTwo) {
+  use_up_kept();
+  std::vector<Shared> crews = {make_crew(nullptr, 2), make_crew(nullptr, 3), make_crew(nullptr, 4)};
+  for (const Shared& crew : crews) work_and_count_known(*crew);
   const int before = ended;
-  first.reset();
+  crews[0].reset();
+  crews[1].reset();
   EXPECT_EQ(ended, before);
-  second.reset();
-  EXPECT_EQ(ended, before + 2);
+  crews[2].reset();
+  EXPECT_EQ(ended, before + 1);
   use_up_kept();
-  EXPECT_EQ(ended, before + 5);
+  EXPECT_EQ(ended, before + 1 + 2 + 3);
 }
 
 TEST(MakeCrew, UsesAllWorkersAgainAndKnowsWhatWasLearnt) {
