@@ -35,7 +35,7 @@ Capacity Stream::capacity() const {
   return {kSlotMask, "", text("a slot's number has ", kSlotBits, " bits")};
 }
 
-Stream::Kind Stream::take(const BodyChanges& changes) {
+Stream::Kind Stream::take(const BodyChanges& changes, WorkCost::Clock::time_point now) {
   bodies_ = changes.bodies;
   search_.allow(changes.filters);
   if (parts_.margin == 0)
@@ -47,7 +47,7 @@ Stream::Kind Stream::take(const BodyChanges& changes) {
     return kFull;
   }
   fat_boxes_.use_growth(growth_choice_.growth());
-  uses_prepared_ = rebuild_.begin_update(changes);
+  uses_prepared_ = rebuild_.begin_update(changes, now);
   const TimedWork work(crew_, changes.moved.size(), costs_.looked_at);
   if (!uses_prepared_ && refit(changes)) return kFull;
   switch (fat_boxes_.take(crew_, changes, list_limit(changes))) {
@@ -105,7 +105,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
     return FoundPairs{};
   }
   PhaseTimer timer(statistics.phases);
-  Kind kind = take(changes);
+  Kind kind = take(changes, timer.last());
   timer.lap("fat boxes");
   FoundPairs found;
   try {

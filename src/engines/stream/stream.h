@@ -57,7 +57,7 @@ class Stream final : public Engine, public HasFinder {
   /// The kinds of update, counted in the statistics.
   enum Kind { kFull, kPartial, kInPlace, kIdle, kKinds };
 
-  Kind take(const BodyChanges& changes);
+  Kind take(const BodyChanges& changes, WorkCost::Clock::time_point now);
   [[gnu::cold]] FoundPairs find_prepared(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
   FoundPairs find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer);
   [[gnu::cold]] FoundPairs find_none(const BodyChanges& changes);

@@ -23,8 +23,8 @@ bool may_prepare(const BodyChanges& changes) {
 }  // namespace
 
 // What is prepared before its time is of no use: bodies are not in their next fat boxes yet.
-bool Rebuild::begin_update(const BodyChanges& changes) {
-  started_ = WorkCost::Clock::now();
+bool Rebuild::begin_update(const BodyChanges& changes, WorkCost::Clock::time_point now) {
+  started_ = now;
   ++age_;
   if (holds_memory_ && (!may_prepare(changes) || !watch_.see(changes))) drop();
   if (stage_ != kAll || age_ < used_at_) return false;

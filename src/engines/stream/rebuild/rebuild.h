@@ -30,7 +30,7 @@ class Rebuild {
 
   /// An update begins. True when it is to use what was prepared; of that, fat boxes are in their place
   /// already.
-  bool begin_update(const BodyChanges& changes);
+  bool begin_update(const BodyChanges& changes, WorkCost::Clock::time_point now);
 
   /// Does the next part, in an update that found nothing anew and in which so many bodies left their fat
   /// boxes. Returns how many fat boxes it prepared.
