@@ -42,9 +42,9 @@ inline constexpr std::uint32_t kMostTurns = 1024;
 /// Where one way takes so many times as long as the other, two turns are enough to know it, and it is not
 /// tried again for so many. EPYC, 100,000 all new, 40 times, and a tenth moving, 24 times.
 inline constexpr double kClearGain = 1.25;
-/// And what takes so many times as long was delayed by chance, unless it is so once more. Chosen, not measured.
-inline constexpr double kIncredible = 4;
 inline constexpr std::uint32_t kLeastTurnsOfClear = 16;
+/// What takes so many times as long was delayed by chance, unless it is so once more. Chosen, not measured.
+inline constexpr double kIncredible = 4;
 /// The least that work took is taken for so many times as much with each turn that took more. Chosen, not
 /// measured.
 inline constexpr double kBestForgets = 1.1;

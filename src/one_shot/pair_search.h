@@ -54,7 +54,7 @@ class PairSearch {
   Array<stream::CellBoxes> made_;    // those
   std::unique_ptr<Collector> collector_;
   std::unique_ptr<stream::CellTree> tree_;
-  WorkCost::Clock::time_point started_;                    // to make the tree
+  WorkCost::Clock::time_point started_;                    // when it began to make the tree
   std::vector<std::span<const stream::CellBoxes>> cells_;  // in lists
 };
 

@@ -30,6 +30,7 @@ class Crew {
 
   /// The most workers there can be.
   unsigned workers() const { return workers_; }
+  /// How many of them work is found in this way.
   Choice choice() const { return choice_; }
 
   /// The workers that the next jobs are run by, 1 to workers().
