@@ -54,7 +54,8 @@ void Crew::plan(std::size_t items, const WorkCost& cost) {
 TimedWork::TimedWork(Crew& crew, std::size_t items, WorkCost& cost)
     : crew_(crew), cost_(nullptr), items_(items) {
   crew.plan(items, cost);
-  if (static_cast<double>(items) * cost.seconds() < tuning::kTooSmall) return;
+  const bool is_small = static_cast<double>(items) * cost.seconds() < tuning::kTooSmall;
+  if (is_small && items < tuning::kLeastTimed) return;
   cost_ = &cost;
   start_ = WorkCost::Clock::now();
 }

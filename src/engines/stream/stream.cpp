@@ -293,8 +293,8 @@ FoundPairs Stream::find_all(const BodyChanges& changes, std::size_t most_swept, 
 // An engine that has seen none of its bodies before goes by what earlier engines learnt.
 FoundPairs Stream::find_anew(const BodyChanges& changes, std::size_t most_swept, PhaseTimer& timer) {
   const WorkCost::Clock::time_point start = WorkCost::Clock::now();
-  WorkCost& cost = changes.inserted.size() == bodies_ ? crew_.cost_of_new(bodies_) : costs_.full;
-  crew_.plan(bodies_, cost);
+  const bool are_new = changes.inserted.size() == bodies_;
+  crew_.plan(bodies_, are_new ? crew_.cost_of_new(bodies_) : costs_.full);
   search_.find_all(fat_boxes_, changes.boxes, most_swept);
   changed_ += bodies_;
   timer.lap("cells");
@@ -306,7 +306,7 @@ FoundPairs Stream::find_anew(const BodyChanges& changes, std::size_t most_swept,
   }
   const WorkCost::Clock::duration elapsed = WorkCost::Clock::now() - start;
   costs_.full.learn(elapsed, crew_.active(), bodies_);
-  if (&cost != &costs_.full && search_.has_cells()) cost.learn(elapsed, crew_.active(), bodies_);
+  if (are_new && search_.has_cells()) crew_.cost_of_new(bodies_).learn(elapsed, crew_.active(), bodies_);
   const FoundPairs found = overlaps_.compare(changes);
   timer.lap("tests");
   return found;

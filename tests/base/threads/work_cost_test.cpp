@@ -179,6 +179,19 @@ TEST(WorkCost, ANumberOfWorkersThatIsGivenIsUsed) {
   EXPECT_EQ(crew.active(), kWorkers);
 }
 
+// A world that is given again and again as it is takes little; then all of it moves.
+TEST(TimedWork, OfManyItemsIsLearntFromThoughEachTookNextToNothingBefore) {
+  Crew crew(nullptr, 1, Crew::Choice::by_gain);
+  constexpr std::size_t kMany = 50'000;
+  WorkCost cost(1e-9);
+  ASSERT_LT(kMany * cost.seconds(), tuning::kTooSmall);
+  for (int update = 0; update < 10; ++update) {
+    const TimedWork work(crew, kMany, cost);
+    spend(microseconds(400));
+  }
+  EXPECT_GT(kMany * cost.seconds(), tuning::kTooSmall);
+}
+
 TEST(TimedWork, IsLearntFromWhenItIsWorthTwoLooksAtTheClock) {
   Crew crew(nullptr, 1, Crew::Choice::by_gain);
   const auto items_worth = [](double seconds) { return static_cast<std::size_t>(seconds / 1e-6); };
