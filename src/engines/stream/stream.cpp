@@ -92,8 +92,10 @@ FatBoxWork Stream::work_of(const BodyChanges& changes, Kind kind) const {
   return {bodies_,
           is_full,
           fat_boxes_.changes().size(),
+          compared_,
           overlaps_.candidates(),
           pairs_,
+          changed_pairs_,
           is_full && fat_boxes_.do_most_settle(changes)};
 }
 
@@ -138,6 +140,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
 
 FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& timer) {
   is_of_few_ = false;
+  compared_ = 0;
   if (bodies_ == 0) return find_none(changes);
   if (fat_boxes_.have_slack()) overlaps_.loosen();
   if (uses_prepared_ && kind != kFull) return find_prepared(changes, kind, timer);
@@ -247,7 +250,9 @@ bool Stream::find_changed(const BodyChanges& changes, PhaseTimer& timer, FoundPa
   const std::size_t count = fat_boxes_.changes().size();
   const PhaseTimer::Clock::time_point start = timer.last();
   crew_.plan(count, costs_.partial);
+  const std::uint64_t tests = search_.tests();
   if (!search_.change(fat_boxes_.changes())) return false;
+  compared_ = search_.tests() - tests;
   changed_ += count;
   timer.lap("cells");
   overlaps_.begin_walk(changes);
@@ -313,7 +318,9 @@ FoundPairs Stream::find_anew(const BodyChanges& changes, std::size_t most_swept,
 }
 
 FoundPairs Stream::counted(const FoundPairs& found) {
-  pairs_ = pairs_ + found.began.size() + count_keys(found.more_began) - found.ended.size();
+  const std::size_t began = found.began.size() + count_keys(found.more_began);
+  pairs_ = pairs_ + began - found.ended.size();
+  changed_pairs_ = began + found.ended.size();
   if (pairs_ > parts_.max_pairs) throw TooManyPairs();
   return found;
 }

@@ -92,14 +92,16 @@ class Stream final : public Engine, public HasFinder {
   UpdateCosts costs_;
   SlackCost slack_cost_;
   GrowthChoice growth_choice_;
-  bool is_anew_ = false;         // this update finds everything, without fat boxes
-  bool uses_prepared_ = false;   // this update
-  bool was_full_ = false;        // the last update
-  std::size_t pairs_ = 0;        // how many there are
-  std::size_t bodies_ = 0;       // held now
-  std::size_t most_listed_ = 0;  // changes of fat boxes that the next update looks at one by one
+  bool is_anew_ = false;           // this update finds everything, without fat boxes
+  bool uses_prepared_ = false;     // this update
+  bool was_full_ = false;          // the last update
+  std::size_t pairs_ = 0;          // how many there are,
+  std::size_t changed_pairs_ = 0;  // and began or ended in the last update
+  std::size_t bodies_ = 0;         // held now
+  std::size_t most_listed_ = 0;    // changes of fat boxes that the next update looks at one by one
   std::array<std::uint64_t, kKinds> updates_{};
   std::uint64_t changed_ = 0;
+  std::uint64_t compared_ = 0;     // boxes of cells with those that changed, in this update
   std::size_t bytes_ = 0;          // bytes_held(), as counted last
   std::size_t counted_pairs_ = 0;  // pairs_ then
   bool holds_too_much_ = false;    // more than most_bytes() then

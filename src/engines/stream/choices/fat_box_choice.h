@@ -15,7 +15,9 @@ namespace cellsweep::stream {
 
 /// Fat boxes save work in the next updates and make more of it in the one that makes them. Where they do not
 /// last, as in a heap into which bodies still fall, it takes less to find all pairs of the boxes themselves
-/// anew in each update. What fat boxes have to do, eight updates at a time, tells whether they last.
+/// anew in each update. What fat boxes have to do, eight updates at a time, tells whether they last; and
+/// where they have so many candidates that to look at these alone would take nearly as long, nobody waits for
+/// that.
 ///
 /// Small worlds begin without: to sweep them takes not much longer than fat boxes while most bodies are on
 /// their way, each update as long as the one before, and no more memory than there is. Where bodies tremble
@@ -33,7 +35,7 @@ class FatBoxChoice {
   bool begin_update(Crew& crew, const BodyChanges& changes);
 
   /// An update with fat boxes has ended.
-  void note(const FatBoxWork& work);
+  [[gnu::noinline]] void note(const FatBoxWork& work);
   /// Everything was found anew, with cells or by a sweep. A small world has fat boxes for some time where
   /// that took cells.
   void note_anew(bool has_cells);
@@ -46,6 +48,7 @@ class FatBoxChoice {
   std::int64_t cost_anew(const FatBoxWork& work) const;
   [[gnu::cold]] void try_fat_boxes();
   [[gnu::cold]] void judge();
+  [[gnu::cold]] void go_without();
 
   bool may_go_without_;
   bool can_sweep_;

@@ -67,7 +67,9 @@ class Search {
   /// Valid until the next call.
   KeyParts found() const { return has_cells_ ? cells_->found() : KeyParts{&swept_view_, 1}; }
   /// Comparisons of two boxes so far.
-  std::uint64_t tests() const { return cells_->tests() + prepared_tests() + sweep_.tests(); }
+  [[gnu::noinline]] std::uint64_t tests() const {
+    return cells_->tests() + prepared_tests() + sweep_.tests();
+  }
   std::size_t bytes() const {
     return cells_->bytes() + (prepared_ ? prepared_->bytes() : 0) + sweep_.bytes() + swept_.bytes();
   }

@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <numeric>
 #include <vector>
 
 #include "base/memory/starved.h"
+#include "base/threads/thread_pool.h"
+#include "engines/stream/choices/fat_box_choice.h"
 #include "engines/stream/courses.h"
 #include "engines/stream/kernels/kernel.h"
 #include "engines/stream/worlds.h"
@@ -339,6 +343,68 @@ TEST(WorldWithoutFatBoxes, ChangesNothingWhereMemoryFails) {
     }
   }
   EXPECT_GE(places, 3U) << "memory is asked for in fewer places than there are";
+}
+
+/// What a world in which all bodies move says of its updates; a sweep may find all.
+class ToldChoice {
+ public:
+  explicit ToldChoice(std::size_t bodies) : boxes_(uniform_boxes(bodies, 1)), moved_(bodies) {
+    std::iota(moved_.begin(), moved_.end(), Slot{0});
+  }
+
+  /// An update begins; whether it is to have fat boxes.
+  bool has_fat_boxes() {
+    BodyChanges changes{};
+    changes.boxes = boxes_;
+    changes.before = {boxes_};
+    changes.moved = moved_;
+    changes.bodies = boxes_.size();
+    return !choice_.begin_update(crew_, changes);
+  }
+
+  /// So many updates like this one, as long as there are fat boxes. How many there were.
+  int updates_of(FatBoxWork work, int most) {
+    work.bodies = boxes_.size();
+    for (int update = 0; update < most; ++update) {
+      if (!has_fat_boxes()) return update;
+      choice_.note(work);
+    }
+    return most;
+  }
+
+ private:
+  std::vector<Aabb> boxes_;
+  std::vector<Slot> moved_;
+  Crew crew_{std::make_shared<ThreadPool>(1), 1, Crew::Choice::given};
+  FatBoxChoice choice_{true, true};
+};
+
+constexpr int kForLong = 40;
+
+TEST(FatBoxChoice, WaitsForNobodyWherePairsChangeAndCandidatesAreMany) {
+  for (const std::size_t bodies : {kMoreBodies, kManyBodies}) {
+    const FatBoxWork falling = {
+        .is_full = true, .candidates = 5 * bodies, .pairs = bodies, .changed_pairs = bodies / 16};
+    EXPECT_LE(ToldChoice(bodies).updates_of(falling, kForLong), 3) << bodies;
+    FatBoxWork at_rest = falling;
+    at_rest.is_full = false;
+    at_rest.changed_pairs = bodies / 100;
+    EXPECT_EQ(ToldChoice(bodies).updates_of(at_rest, kForLong), kForLong) << bodies << ", refitted one day";
+    FatBoxWork few = falling;
+    few.is_full = false;
+    few.candidates = bodies;
+    EXPECT_EQ(ToldChoice(bodies).updates_of(few, kForLong), kForLong) << bodies;
+  }
+}
+
+// In a crowd each that leaves its fat box is compared with many, and has many candidates.
+TEST(FatBoxChoice, CountsComparisonsOfBodiesThatLeaveTheirFatBoxes) {
+  FatBoxWork loose = {.placed = 60, .compared = 60 * 30, .candidates = kMoreBodies, .pairs = kMoreBodies / 2};
+  EXPECT_EQ(ToldChoice(kMoreBodies).updates_of(loose, kForLong), kForLong);
+  FatBoxWork crowd = loose;
+  crowd.compared = 60 * 200;
+  crowd.candidates = 4 * kMoreBodies;
+  EXPECT_LE(ToldChoice(kMoreBodies).updates_of(crowd, kForLong), 8);
 }
 
 }  // namespace
