@@ -101,7 +101,7 @@ FatBoxWork Stream::work_of(const BodyChanges& changes, Kind kind) const {
 
 Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statistics) {
   if (parts_.finder) parts_.finder->begin_update();
-  give_back_spare();
+  if (spare_memory_.begin_update()) give_back();
   if (changes.none()) {
     note_idle(statistics);
     return FoundPairs{};
@@ -133,7 +133,7 @@ Result<FoundPairs> Stream::update(const BodyChanges& changes, Statistics& statis
   most_listed_ = search_.is_worn_out() || parts_.finder ? 0 : costs_.most_listed(bodies_);
   was_full_ = kind == kFull;
   ++updates_[kind];
-  if (!is_of_few_ || 2 * pairs_ < counted_pairs_) count_bytes();
+  if (spare_memory_.is_to_count(is_of_few_, pairs_)) count_bytes();
   if (statistics.counters.empty()) list_counters(statistics);
   return found;
 }
@@ -151,8 +151,7 @@ FoundPairs Stream::find(const BodyChanges& changes, Kind& kind, PhaseTimer& time
     if (is_of_few_) return found;
     goes_on = false;
   }
-  has_spare_ = true;
-  quiet_ = 0;
+  spare_memory_.note_used();
   if (goes_on && kind == kInPlace) return find_in_place(changes, timer);
   if (goes_on && search_.has_cells() && find_changed(changes, timer, found)) return found;
   // A small world is swept when all is new, and while it is so in every update. Else cells will be asked for
@@ -179,37 +178,26 @@ void Stream::forget_all() {
   search_.clear();
   search_.give_back();
   overlaps_.clear();
-  has_spare_ = false;
-}
-
-// When pairs have gone, and when a world has come to rest. What the last update found lies in this memory,
-// which is why it did not do so.
-void Stream::give_back_spare() {
-  const bool is_quiet = has_spare_ && ++quiet_ > tuning::kQuietToGiveBack;
-  if ((is_quiet && bytes_ > tuning::kFewBytes) || holds_too_much_) give_back();
+  spare_memory_.note_given_back();
 }
 
 // A list that moves to a smaller place asks for it. Where there is none the update goes on, and what is left
 // goes another time.
 void Stream::give_back() {
-  quiet_ = 0;
+  spare_memory_.note_tried();
   try {
     rebuild_.drop();
     fat_boxes_.give_back();
     overlaps_.give_back();
     search_.give_back();
-    has_spare_ = false;
+    spare_memory_.note_given_back();
   } catch (const std::bad_alloc&) {
   }
   count_bytes();
 }
 
-// An update of a few holds hardly more than the one before, and to sum it up reads two dozen lines of the
-// caches; but many pairs may have ended one by one.
 void Stream::count_bytes() {
-  counted_pairs_ = pairs_;
-  bytes_ = bytes_held();
-  holds_too_much_ = bytes_ > most_bytes();
+  spare_memory_.count(bytes_held(), most_bytes(), pairs_);
 }
 
 std::size_t Stream::most_bytes() const {

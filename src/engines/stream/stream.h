@@ -16,6 +16,7 @@
 #include "engines/stream/choices/fat_box_choice.h"
 #include "engines/stream/choices/growth_choice.h"
 #include "engines/stream/choices/slack_cost.h"
+#include "engines/stream/choices/spare_memory.h"
 #include "engines/stream/choices/update_costs.h"
 #include "engines/stream/pairs/overlaps.h"
 #include "engines/stream/rebuild/rebuild.h"
@@ -67,7 +68,6 @@ class Stream final : public Engine, public HasFinder {
   FoundPairs find_all(const BodyChanges& changes, std::size_t most_swept, PhaseTimer& timer);
   FoundPairs find_anew(const BodyChanges& changes, std::size_t most_swept, PhaseTimer& timer);
   FoundPairs counted(const FoundPairs& found);
-  void give_back_spare();
   [[gnu::cold]] void give_back();
   [[gnu::cold]] void forget_all();
   std::size_t bytes_held() const { return fat_boxes_.bytes() + search_.bytes() + overlaps_.bytes(); }
@@ -92,6 +92,7 @@ class Stream final : public Engine, public HasFinder {
   UpdateCosts costs_;
   SlackCost slack_cost_;
   GrowthChoice growth_choice_;
+  SpareMemory spare_memory_;
   bool is_anew_ = false;           // this update finds everything, without fat boxes
   bool uses_prepared_ = false;     // this update
   bool was_full_ = false;          // the last update
@@ -101,13 +102,8 @@ class Stream final : public Engine, public HasFinder {
   std::size_t most_listed_ = 0;    // changes of fat boxes that the next update looks at one by one
   std::array<std::uint64_t, kKinds> updates_{};
   std::uint64_t changed_ = 0;
-  std::uint64_t compared_ = 0;     // boxes of cells with those that changed, in this update
-  std::size_t bytes_ = 0;          // bytes_held(), as counted last
-  std::size_t counted_pairs_ = 0;  // pairs_ then
-  bool holds_too_much_ = false;    // more than most_bytes() then
-  bool is_of_few_ = false;         // this update looked at the bodies that changed alone
-  bool has_spare_ = false;         // memory that is of no use while few bodies move
-  std::uint32_t quiet_ = 0;        // updates since it was used
+  std::uint64_t compared_ = 0;  // boxes of cells with those that changed, in this update
+  bool is_of_few_ = false;      // this update looked at the bodies that changed alone
 };
 
 }  // namespace cellsweep::stream

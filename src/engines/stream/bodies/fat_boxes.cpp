@@ -69,7 +69,7 @@ void FatBoxes::begin_update(const BodyChanges& changes) {
   const std::size_t slots = changes.boxes.size();
   if (fat_.are_by_slot()) {
     fat_.all().resize(slots, kNobody);
-    courses_.all().resize(slots, course_of_long_ago());
+    courses_.all().resize(slots, Course::of_long_ago(updates_));
   } else if (SlotBlocks<Aabb>::suit(changes.moved.size(), slots)) {
     add_moved(changes);
   } else {
@@ -85,14 +85,14 @@ void FatBoxes::add_moved(const BodyChanges& changes) {
     if (!fat_.add(slot)) continue;
     courses_.add(slot);
     fat_[slot] = changes.before[slot];
-    courses_[slot] = course_of_long_ago();
+    courses_[slot] = Course::of_long_ago(updates_);
   }
 }
 
 // Of bodies that have none, these boxes.
 void FatBoxes::lay_by_slot(List<Aabb> boxes) {
   List<Course> courses;
-  courses.resize(boxes.size(), course_of_long_ago());
+  courses.resize(boxes.size(), Course::of_long_ago(updates_));
   courses_.lay_by_slot(std::move(courses));
   fat_.lay_by_slot(std::move(boxes));
 }
@@ -126,7 +126,7 @@ void FatBoxes::refit(Crew& crew, const BodyChanges& changes) {
   begin_update(changes);
   escapes_.renew(changes.moved.size());
   std::fill_n(escapes_.data(), changes.moved.size(), std::uint8_t{1});
-  for (const Slot slot : changes.moved) courses_[slot] = course_of_long_ago();
+  for (const Slot slot : changes.moved) courses_[slot] = Course::of_long_ago(updates_);
   renew_all(crew, changes);
 }
 
@@ -176,7 +176,7 @@ void FatBoxes::renew_all(Crew& crew, const BodyChanges& changes) {
     for (std::size_t i = share.first; i < share.last; ++i) {
       const Slot slot = changes.moved[i];
       const bool escaped = escapes_.data()[i] != 0;
-      if (!escaped && courses_[slot].trembles) continue;
+      if (!escaped && courses_[slot].trembles()) continue;
       fat_[slot] = grown(slot, changes.before[slot], changes.boxes[slot], escaped, tuning::kAllAhead);
     }
   });
@@ -194,7 +194,7 @@ void FatBoxes::prepare(Crew& crew, const BodyChanges& changes, Share places, flo
     const Share share = Share::of(places.last - places.first, worker, crew.active());
     for (std::size_t i = places.first + share.first; i < places.first + share.last; ++i) {
       const Slot slot = changes.moved[i];
-      if (courses_[slot].trembles) continue;
+      if (courses_[slot].trembles()) continue;
       prepared_[slot] = later_fat_box_of(changes.before[slot], changes.boxes[slot], outlook);
     }
   });
@@ -206,7 +206,7 @@ std::size_t FatBoxes::find_escapes_from_prepared(Crew& crew, const BodyChanges& 
   const auto has_left = [&](Slot slot) {
     const Aabb& fat = prepared_[slot];
     const Aabb& now = changes.boxes[slot];
-    if (courses_[slot].trembles) return !encloses(BoxLanes(fat), BoxLanes(now));
+    if (courses_[slot].trembles()) return !encloses(BoxLanes(fat), BoxLanes(now));
     return will_have_left(fat, changes.before[slot], now, from);
   };
   return note_escapes(crew, changes.moved.size(), places, [&](Share share) {
@@ -224,7 +224,7 @@ std::span<const FatBoxChange> FatBoxes::mend_prepared(Crew& crew, const BodyChan
   for (std::size_t i = places.first; i < places.last; ++i) {
     if (escapes_.data()[i] == 0) continue;
     const Slot slot = changes.moved[i];
-    const Aabb next = courses_[slot].trembles
+    const Aabb next = courses_[slot].trembles()
                           ? fat_[slot]
                           : later_fat_box_of(changes.before[slot], changes.boxes[slot], outlook);
     mended_.push({slot, true, true, prepared_[slot], next});
@@ -242,7 +242,7 @@ bool FatBoxes::are_being_left(const BodyChanges& changes, float updates) const {
 
 bool FatBoxes::do_most_settle(const BodyChanges& changes) const {
   return are_most(changes.moved, [&](Slot slot) {
-    if (has(slot) && courses_[slot].trembles) return true;
+    if (has(slot) && courses_[slot].trembles()) return true;
     return step_in_lengths(changes.before[slot], changes.boxes[slot]) <= tuning::kCreepingStep;
   });
 }
@@ -275,47 +275,9 @@ void FatBoxes::list_moved(Slot slot, const Aabb& before, const Aabb& now) {
   fat = next;
 }
 
-FatBoxes::Course FatBoxes::course_of_long_ago() const {
-  return {.made = static_cast<std::uint8_t>((updates_ + kCourseUpdates / 2) % kCourseUpdates)};
-}
-
 Aabb FatBoxes::grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates) {
-  Course& course = courses_[slot];
-  const unsigned age = (updates_ - course.made) % kCourseUpdates;
-  if (escaped && (course.trembles || age <= tuning::kEarly)) {
-    judge(course, age, step_in_lengths(before, now));
-    if (age > tuning::kEarly && may_have_kept_course(fat_[slot], before, now, age)) course.trembles = false;
-  }
-  course.made = updates_ % kCourseUpdates;
-  if (!course.trembles)
-    return fat_box_of(before, now, {.updates = updates, .margin = margin_, .least = growth_.least});
-  return fat_box_of(
-      before, now,
-      {.updates = growth_.updates, .may_turn = true, .margin = margin_, .reach = reach_of(course.halvings)});
-}
-
-// Asked when a fat box did not last, or was that of a body which trembles. One that did not last though the
-// body was slow was made for another course: the body trembles. From then on its fat boxes reach further to
-// either side until they last, and less far where they do: a body that keeps its course has ones that last
-// without that.
-void FatBoxes::judge(Course& course, unsigned age, float step) const {
-  const bool is_slow = step <= tuning::kMostTremble;
-  const int halvings = std::min<int>(course.halvings, growth_.most_halvings);  // made for another growth
-  if (!course.trembles) {
-    course.trembles = is_slow;
-    course.halvings = static_cast<std::uint8_t>(growth_.most_halvings);
-    while (course.halvings > 0 && reach_of(course.halvings) < growth_.steps * step) --course.halvings;
-  } else if (age <= tuning::kEarlyOfTrembling) {
-    course.trembles = is_slow;
-    course.halvings = static_cast<std::uint8_t>(std::max(halvings - growth_.raise, 0));
-  } else {
-    course.trembles = is_slow && halvings < growth_.most_halvings && reach_of(halvings) > step;
-    course.halvings = static_cast<std::uint8_t>(halvings + 1);
-  }
-}
-
-float FatBoxes::reach_of(int halvings) {
-  return tuning::kMostTremble / static_cast<float>(1 << halvings);
+  const NextFatBox next = {updates_, updates, margin_, growth_};
+  return courses_[slot].next_fat_box(fat_[slot], before, now, escaped, next);
 }
 
 void FatBoxes::list_inserted(Slot slot, const Aabb& now) {

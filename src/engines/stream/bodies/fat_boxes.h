@@ -12,6 +12,7 @@
 #include "base/threads/crew.h"
 #include "cellsweep/engine/slots.h"
 #include "cellsweep/function_ref.h"
+#include "engines/stream/bodies/course.h"
 #include "engines/stream/bodies/fat_box.h"
 #include "engines/stream/bodies/growth.h"
 
@@ -107,23 +108,11 @@ class FatBoxes {
   [[gnu::cold]] std::size_t bytes() const;
 
  private:
-  static constexpr unsigned kCourseUpdates = 128;
-
-  /// What is remembered of a body's way.
-  struct Course {
-    std::uint8_t made : 7 = 0;  // the update that made the fat box, modulo kCourseUpdates
-    bool trembles : 1 = false;
-    std::uint8_t halvings = 0;  // of how far the fat box of one that trembles reaches to either side
-  };
-
-  Course course_of_long_ago() const;
   LaterOutlook later_outlook(float from, float updates) const;
   bool has(Slot slot) const { return slack_ && fat_.has(slot); }
   [[gnu::cold]] void lay_by_slot(List<Aabb> boxes);
   void add_moved(const BodyChanges& changes);
   Aabb grown(Slot slot, const Aabb& before, const Aabb& now, bool escaped, float updates);
-  [[gnu::cold]] void judge(Course& course, unsigned age, float step) const;
-  static float reach_of(int halvings);
   std::size_t note_escapes(Crew& crew, std::size_t moved, Share places, FunctionRef<std::size_t(Share)> note);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
   std::size_t find_escapes_from_prepared(Crew& crew, const BodyChanges& changes, Share places, float from);
