@@ -13,19 +13,9 @@ std::uint32_t updates_of_settling(const FatBoxWork& work) {
   return work.most_settle ? tuning::kUpdatesOfSettling : tuning::kUpdatesOfStart;
 }
 
-std::uint64_t cost_of_placing(const FatBoxWork& work, bool is_swept) {
-  if (work.is_full) return tuning::kAllPlacedCost * work.bodies;
-  if (!is_swept) return tuning::kPlacedCost * work.placed;
-  const std::uint64_t partners = 2 * work.placed * work.candidates / work.bodies;
-  return tuning::kPlacedInSweptCost * work.placed + tuning::kComparedCost * work.compared +
-         tuning::kPartnerCost * partners;
-}
-
-/// Of an update in which no fat box is left. In a large world candidates count where all were found: what
-/// lasts may have many, until it is refitted.
-std::int64_t least_cost(const FatBoxWork& work, bool candidates_count) {
-  const std::size_t candidates = candidates_count ? work.candidates : 0;
-  return static_cast<std::int64_t>(tuning::kFatBoxCost * work.bodies + tuning::kCandidateCost * candidates);
+/// Of an update in which no fat box is left.
+std::int64_t least_cost(std::size_t bodies, std::size_t candidates) {
+  return static_cast<std::int64_t>(tuning::kFatBoxCost * bodies + tuning::kCandidateCost * candidates);
 }
 
 }  // namespace
@@ -107,7 +97,7 @@ void FatBoxChoice::note(const FatBoxWork& work) {
   }
   const std::int64_t anew = cost_anew(work);
   const bool pairs_change = work.changed_pairs > work.pairs / tuning::kPairsOfChanged;
-  const double least = static_cast<double>(least_cost(work, true));
+  const double least = static_cast<double>(least_cost(work.bodies, work.candidates));
   if (settled_ > 0 && pairs_change && least > tuning::kMostOfAnew * static_cast<double>(anew))
     return go_without();
   if (work.is_full && settled_ < updates_of_settling(work)) {
@@ -120,9 +110,18 @@ void FatBoxChoice::note(const FatBoxWork& work) {
   if (++judged_ == tuning::kUpdatesJudged || excess_ > most_excess * anew) judge();
 }
 
+// In a large world candidates count where all were found: what lasts may have many, until it is refitted.
 std::int64_t FatBoxChoice::cost_of_fat_boxes(const FatBoxWork& work) const {
-  return least_cost(work, is_small_ || work.is_full) +
-         static_cast<std::int64_t>(cost_of_placing(work, is_swept_));
+  const std::size_t candidates = is_small_ || work.is_full ? work.candidates : 0;
+  return least_cost(work.bodies, candidates) + static_cast<std::int64_t>(cost_of_placing(work));
+}
+
+std::uint64_t FatBoxChoice::cost_of_placing(const FatBoxWork& work) const {
+  if (work.is_full) return tuning::kAllPlacedCost * work.bodies;
+  if (!is_swept_) return tuning::kPlacedCost * work.placed;
+  const std::uint64_t partners = 2 * work.placed * work.candidates / work.bodies;
+  return tuning::kPlacedInSweptCost * work.placed + tuning::kComparedCost * work.compared +
+         tuning::kPartnerCost * partners;
 }
 
 std::int64_t FatBoxChoice::cost_anew(const FatBoxWork& work) const {
@@ -130,22 +129,23 @@ std::int64_t FatBoxChoice::cost_anew(const FatBoxWork& work) const {
   return static_cast<std::int64_t>(of_body * work.bodies + tuning::kAnewPairCost * work.pairs);
 }
 
-// Fat boxes are tried less soon again.
-void FatBoxChoice::go_without() {
-  is_without_ = true;
-  lasted_ = 0;
-  patience_ = std::min(2 * patience_, tuning::kMostPatienceOfSweeps);
-}
-
 void FatBoxChoice::judge() {
-  if (excess_ > 0) {
-    go_without();
-  } else if (++lasted_ == tuning::kMostPatienceOfSweeps) {
+  if (excess_ > 0) return go_without();
+  if (++lasted_ == tuning::kMostPatienceOfSweeps) {
     lasted_ = 0;
     patience_ = 1;
   }
   judged_ = 0;
   excess_ = 0;
+}
+
+// Fat boxes are tried less soon again.
+void FatBoxChoice::go_without() {
+  is_without_ = true;
+  judged_ = 0;
+  excess_ = 0;
+  lasted_ = 0;
+  patience_ = std::min(2 * patience_, tuning::kMostPatienceOfSweeps);
 }
 
 }  // namespace cellsweep::stream

@@ -15,9 +15,9 @@ namespace cellsweep::stream {
 
 /// Fat boxes save work in the next updates and make more of it in the one that makes them. Where they do not
 /// last, as in a heap into which bodies still fall, it takes less to find all pairs of the boxes themselves
-/// anew in each update. What fat boxes have to do, eight updates at a time, tells whether they last; and
-/// where they have so many candidates that to look at these alone would take nearly as long, nobody waits for
-/// that.
+/// anew in each update. What fat boxes have to do, eight updates at a time, tells whether they last;
+/// nobody waits for that while pairs begin and end, and so many candidates are there that to look at these
+/// alone takes nearly as long as to find all anew.
 ///
 /// Small worlds begin without: to sweep them takes not much longer than fat boxes while most bodies are on
 /// their way, each update as long as the one before, and no more memory than there is. Where bodies tremble
@@ -45,6 +45,7 @@ class FatBoxChoice {
   [[gnu::cold]] void watch(const BodyChanges& changes);
   [[gnu::cold]] void go_on_with_trial(Crew& crew, const BodyChanges& changes);
   std::int64_t cost_of_fat_boxes(const FatBoxWork& work) const;
+  std::uint64_t cost_of_placing(const FatBoxWork& work) const;
   std::int64_t cost_anew(const FatBoxWork& work) const;
   [[gnu::cold]] void try_fat_boxes();
   [[gnu::cold]] void judge();

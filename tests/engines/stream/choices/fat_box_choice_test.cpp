@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "base/memory/starved.h"
@@ -352,12 +353,12 @@ class ToldChoice {
     std::iota(moved_.begin(), moved_.end(), Slot{0});
   }
 
-  /// An update begins; whether it is to have fat boxes.
-  bool has_fat_boxes() {
+  /// An update begins, in which the first so many bodies move; whether it is to have fat boxes.
+  bool has_fat_boxes(std::size_t movers) {
     BodyChanges changes{};
     changes.boxes = boxes_;
     changes.before = {boxes_};
-    changes.moved = moved_;
+    changes.moved = std::span(moved_).first(movers);
     changes.bodies = boxes_.size();
     return !choice_.begin_update(crew_, changes);
   }
@@ -366,7 +367,7 @@ class ToldChoice {
   int updates_of(FatBoxWork work, int most) {
     work.bodies = boxes_.size();
     for (int update = 0; update < most; ++update) {
-      if (!has_fat_boxes()) return update;
+      if (!has_fat_boxes(moved_.size())) return update;
       choice_.note(work);
     }
     return most;
@@ -405,6 +406,22 @@ TEST(FatBoxChoice, CountsComparisonsOfBodiesThatLeaveTheirFatBoxes) {
   crowd.compared = 60 * 200;
   crowd.candidates = 4 * kMoreBodies;
   EXPECT_LE(ToldChoice(kMoreBodies).updates_of(crowd, kForLong), 8);
+}
+
+// Few that move have fat boxes in any case: what was held against them before all moved is forgotten.
+TEST(FatBoxChoice, JudgesFatBoxesByWhatTheyDoAfterTheyWereGivenUp) {
+  ToldChoice choice(kMoreBodies);
+  const FatBoxWork lasting = {.candidates = kMoreBodies, .pairs = kMoreBodies};
+  FatBoxWork costly = lasting;
+  costly.placed = 3 * kMoreBodies / 10;  // 36 ns a body, and 29 without: not yet enough for a verdict
+  constexpr int kUnjudged = tuning::kUpdatesJudged - 1;
+  EXPECT_EQ(choice.updates_of(costly, kUnjudged), kUnjudged);
+  FatBoxWork falling = lasting;
+  falling.candidates = 6 * kMoreBodies;
+  falling.changed_pairs = kMoreBodies;
+  EXPECT_EQ(choice.updates_of(falling, kForLong), 1);
+  EXPECT_TRUE(choice.has_fat_boxes(kMoreBodies / 100));
+  EXPECT_EQ(choice.updates_of(lasting, kForLong), kForLong);
 }
 
 }  // namespace
