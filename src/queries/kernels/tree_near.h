@@ -159,14 +159,13 @@ void walk_tree_within(const TreeNode* nodes, const NearNumbers& question, const 
   const VectorOf<Lanes> certain = all<Lanes>(question.certain);
   WaitingNodes waiting(nodes);
   Squares squares;
-  for (const TreeNode* node = nodes; node != nullptr;) {
+  for (NodeOffset at = 0; at != kNoNode;) {
+    const TreeNode& node = waiting.at(at);
     const std::uint32_t bits = test_node<Lanes>(
-        *node, squares,
-        [&](const auto& faces, VectorOf<Lanes>& square) { return lanes.test(faces, square); });
-    const std::uint32_t bodies = bits & node->bodies;
-    if (bodies != 0 && !take.take(take.self, *node, bodies, bodies & no_more<Lanes>(squares, certain)))
-      return;
-    node = waiting.next(*node, without(bits, bodies), squares, question.most);
+        node, squares, [&](const auto& faces, VectorOf<Lanes>& square) { return lanes.test(faces, square); });
+    const std::uint32_t bodies = bits & node.bodies;
+    if (bodies != 0 && !take.take(take.self, node, bodies, bodies & no_more<Lanes>(squares, certain))) return;
+    at = waiting.next(node, without(bits, bodies), squares, question.most);
   }
 }
 

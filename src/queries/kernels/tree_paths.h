@@ -12,27 +12,28 @@
 namespace cellsweep::queries {
 namespace {
 
-/// What a path has on an axis, in all lanes. Gaps and inverses are negated, which changes no time: a face is
-/// subtracted from a number, and so read by the instruction that needs it.
+/// What a path has on an axis, in all lanes, and where the topmost node has its faces there. Gaps and
+/// inverses are negated, which changes no time: a face is subtracted from a number, and so read by the
+/// instruction that needs it.
 template <class Lanes>
 struct AxisAtNode {
   using Vector = VectorOf<Lanes>;
 
-  AxisAtNode(const CastNumbers& path, unsigned axis)
-      : near(static_cast<std::uint32_t>(path.near[axis])),
-        far(static_cast<std::uint32_t>(path.far[axis])),
+  AxisAtNode(const TreeNode* topmost, const CastNumbers& path, unsigned axis)
+      : near(reinterpret_cast<const std::byte*>(topmost) + path.near[axis]),
+        far(reinterpret_cast<const std::byte*>(topmost) + path.far[axis]),
         front(all<Lanes>(path.front[axis])),
         back(all<Lanes>(path.back[axis])),
         sooner(all<Lanes>(path.sooner[axis])),
         later(all<Lanes>(path.later[axis])) {}
 
-  static Vector face(const std::byte* faces, std::size_t number) {
-    return load<Lanes>(reinterpret_cast<const float*>(faces + number));
-  }
-  Vector before(const std::byte* faces) const { return front - face(faces, near); }
-  Vector behind(const std::byte* faces) const { return back - face(faces, far); }
+  Vector before(std::size_t offset) const { return front - face(near + offset); }
+  Vector behind(std::size_t offset) const { return back - face(far + offset); }
 
-  std::size_t near, far;
+  static Vector face(const std::byte* from) { return load<Lanes>(reinterpret_cast<const float*>(from)); }
+
+  const std::byte* near;
+  const std::byte* far;
   Vector front, back, sooner, later;
 };
 
@@ -43,10 +44,10 @@ class CastAtNode {
  public:
   using Vector = VectorOf<Lanes>;
 
-  explicit CastAtNode(const CastNumbers& path)
-      : x_(path, 0),
-        y_(path, 1),
-        z_(path, 2),
+  CastAtNode(const TreeNode* topmost, const CastNumbers& path)
+      : x_(topmost, path, 0),
+        y_(topmost, path, 1),
+        z_(topmost, path, 2),
         end_(all<Lanes>(path.end)),
         certain_end_(all<Lanes>(path.certain_end)) {}
 
@@ -54,8 +55,8 @@ class CastAtNode {
 
   /// A bit for each box of the node that the path may touch, and when it does at the earliest. What is said
   /// of places where there is no box means nothing.
-  std::uint32_t test(const TreeNode& node, float (&enter)[TreeNode::kBoxes]) const {
-    return test_each(node, [&](const std::byte* faces, unsigned place) {
+  std::uint32_t test(NodeOffset node, float (&enter)[TreeNode::kBoxes]) const {
+    return test_each(node, [&](std::size_t faces, unsigned place) {
       const Vector enters =
           first(x_.before(faces) * x_.sooner, y_.before(faces) * y_.sooner, z_.before(faces) * z_.sooner);
       const Vector leaves =
@@ -66,9 +67,9 @@ class CastAtNode {
   }
 
   /// Whether the path touches one of these for certain, which test() found. Only where its numbers tell.
-  bool is_certain(const TreeNode& node, std::uint32_t bodies) const {
+  bool is_certain(NodeOffset node, std::uint32_t bodies) const {
     // Numbers that are too small for a normal one may come out as the same: less, not less or equal.
-    const std::uint32_t others = test_each(node, [&](const std::byte* faces, unsigned) {
+    const std::uint32_t others = test_each(node, [&](std::size_t faces, unsigned) {
       const Vector enters =
           surely_first(x_.before(faces) * x_.later, y_.before(faces) * y_.later, z_.before(faces) * z_.later);
       const Vector leaves = surely_last(x_.behind(faces) * x_.sooner, y_.behind(faces) * y_.sooner,
@@ -79,12 +80,13 @@ class CastAtNode {
   }
 
  private:
-  /// `test(faces, place)` of each vector of boxes: their faces, and the place of the first one.
+  /// `test(faces, place)` of each vector of boxes: how far their faces are behind the first ones of the
+  /// topmost node, and the place of the first box.
   template <class Test>
-  static std::uint32_t test_each(const TreeNode& node, const Test& test) {
+  static std::uint32_t test_each(NodeOffset node, const Test& test) {
     std::uint32_t bits = 0;
     for (unsigned place = 0; place < TreeNode::kBoxes; place += Lanes::kCount) {
-      const auto* faces = reinterpret_cast<const std::byte*>(&node.faces[0][place]);
+      std::size_t faces = node + place * sizeof(float);
       // Else GCC would keep the sums of `place` and of where each face is, in more registers than there are.
       __asm__("" : "+r"(faces));
       bits |= test(faces, place) << place;
@@ -115,50 +117,53 @@ class CastAtNode {
 
 template <class Lanes>
 void walk_tree_on_path(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
-  CastAtNode<Lanes> cast(path);
+  CastAtNode<Lanes> cast(nodes, path);
   WaitingNodes waiting(nodes);
   float keys[TreeNode::kBoxes];
-  for (const TreeNode* node = nodes; node != nullptr;) {
-    __builtin_prefetch(node->content);
-    const std::uint32_t bits = cast.test(*node, keys);
-    if (const std::uint32_t bodies = bits & node->bodies; bodies != 0) {
-      if (!take.take(take.self, *node, bodies)) return;
+  for (NodeOffset at = 0; at != kNoNode;) {
+    const TreeNode& node = waiting.at(at);
+    __builtin_prefetch(node.content);
+    const std::uint32_t bits = cast.test(at, keys);
+    if (const std::uint32_t bodies = bits & node.bodies; bodies != 0) {
+      if (!take.take(take.self, node, bodies)) return;
       cast.end(path.end);
     }
-    node = waiting.next(*node, bits & node->nodes, keys, path.end);
+    at = waiting.next(node, bits & node.nodes, keys, path.end);
   }
 }
 
 /// Of a path that does not become shorter.
 template <class Lanes>
 void walk_tree_on_whole_path(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
-  const CastAtNode<Lanes> cast(path);
+  const CastAtNode<Lanes> cast(nodes, path);
   WaitingNodes waiting(nodes);
   float keys[TreeNode::kBoxes];
-  for (const TreeNode* node = nodes; node != nullptr;) {
-    __builtin_prefetch(node->content);
-    const std::uint32_t bits = cast.test(*node, keys);
-    const std::uint32_t bodies = bits & node->bodies;
-    if (bodies != 0 && !take.take(take.self, *node, bodies)) return;
-    node = waiting.next(*node, bits & node->nodes);
+  for (NodeOffset at = 0; at != kNoNode;) {
+    const TreeNode& node = waiting.at(at);
+    __builtin_prefetch(node.content);
+    const std::uint32_t bits = cast.test(at, keys);
+    const std::uint32_t bodies = bits & node.bodies;
+    if (bodies != 0 && !take.take(take.self, node, bodies)) return;
+    at = waiting.next(node, bits & node.nodes);
   }
 }
 
 template <class Lanes>
 bool walk_tree_to_any(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
-  CastAtNode<Lanes> cast(path);
+  CastAtNode<Lanes> cast(nodes, path);
   WaitingNodes waiting(nodes);
   float keys[TreeNode::kBoxes];
-  for (const TreeNode* node = nodes; node != nullptr;) {
-    __builtin_prefetch(node->content);
-    const std::uint32_t bits = cast.test(*node, keys);
-    if (const std::uint32_t bodies = bits & node->bodies; bodies != 0) {
-      if (cast.is_certain(*node, bodies)) return true;
-      if (!take.take(take.self, *node, bodies)) return false;
+  for (NodeOffset at = 0; at != kNoNode;) {
+    const TreeNode& node = waiting.at(at);
+    __builtin_prefetch(node.content);
+    const std::uint32_t bits = cast.test(at, keys);
+    if (const std::uint32_t bodies = bits & node.bodies; bodies != 0) {
+      if (cast.is_certain(at, bodies)) return true;
+      if (!take.take(take.self, node, bodies)) return false;
       // Nothing that stays in a register over the call: else it would be in memory all the time.
-      cast = CastAtNode<Lanes>(path);
+      cast = CastAtNode<Lanes>(nodes, path);
     }
-    node = waiting.next(*node, bits & node->nodes);
+    at = waiting.next(node, bits & node.nodes);
   }
   return false;
 }
