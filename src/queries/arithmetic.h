@@ -49,6 +49,9 @@ class Cast {
       if (has_inverse(direction)) inverse = 1 / direction;
     }
 
+    /// It moves there, so slowly that nothing is known without a division.
+    bool creeps() const { return inverse == 0 && direction != 0; }
+
     float low;
     float high;
     double direction;
@@ -65,7 +68,7 @@ class Cast {
   explicit Cast(const Path& path)
       : axes_{Axis(path, 0), Axis(path, 1), Axis(path, 2)},
         end_(path.end),
-        moves_on_all_(axes_[0].inverse != 0 && axes_[1].inverse != 0 && axes_[2].inverse != 0) {}
+        creeps_(axes_[0].creeps() || axes_[1].creeps() || axes_[2].creeps()) {}
 
   const Axis& axis(std::size_t axis) const { return axes_[axis]; }
   double end() const { return end_; }
@@ -124,12 +127,16 @@ class Cast {
     return first;
   }
 
-  // Without a division: off by less than kSlack.
+  // Without a division: off by less than kSlack. A box beside the path, where that stays on an axis, is left
+  // before it is come to.
   Times about(const Aabb& box, double end) const {
     Times times{{}, {}, 0, end};
     for (std::size_t k = 0; k < 3; ++k) {
       const Axis& axis = axes_[k];
-      if (axis.inverse == 0) continue;
+      if (axis.inverse == 0) {
+        if (axis.direction == 0 && (gap_before(axis, box) > 0 || gap_behind(axis, box) < 0)) times.leave = -1;
+        continue;
+      }
       times.gaps[k] = gap_before(axis, box);
       times.enters[k] = times.gaps[k] * axis.inverse;
       times.enter = std::max(times.enter, times.enters[k]);
@@ -145,7 +152,7 @@ class Cast {
 
   // Most boxes that it does touch.
   bool touches_for_certain(const Times& about) const {
-    return moves_on_all_ && about.enter * (1 + 2 * kSlack) <= about.leave * (1 - 2 * kSlack);
+    return !creeps_ && about.enter * (1 + 2 * kSlack) <= about.leave * (1 - 2 * kSlack);
   }
 
   // When the path comes to a box on the axis on which it does last. Only where it does at nearly the same
@@ -165,11 +172,10 @@ class Cast {
 
   double first_exactly(const Aabb& box) const {
     double first = 0;
-    for (const Axis& axis : axes_) first = std::max(first, enters_exactly(axis, box));
+    for (const Axis& axis : axes_) {
+      if (axis.direction != 0) first = std::max(first, gap_before(axis, box) / axis.direction);
+    }
     return first;
-  }
-  static double enters_exactly(const Axis& axis, const Aabb& box) {
-    return gap_before(axis, box) / axis.direction;
   }
 
   static double earlier(double time, double slack) { return time * (time > 0 ? 1 - slack : 1 + slack); }
@@ -177,7 +183,7 @@ class Cast {
 
   std::array<Axis, 3> axes_;
   double end_;
-  bool moves_on_all_;
+  bool creeps_;  // on one of them
 };
 
 }  // namespace cellsweep::queries
