@@ -31,6 +31,23 @@ void store4(Vector vector, Number (&to)[4]) {
   std::memcpy(to, &vector, sizeof vector);
 }
 
+/// The second number where they are equal or one is NaN. Not a choice between numbers, which compilers make
+/// of four instructions where there is one.
+inline Float4 smaller(Float4 one, Float4 other) {
+#ifdef __SSE2__
+  return reinterpret_cast<Float4>(_mm_min_ps(reinterpret_cast<__m128>(one), reinterpret_cast<__m128>(other)));
+#else
+  return one < other ? one : other;
+#endif
+}
+inline Float4 larger(Float4 one, Float4 other) {
+#ifdef __SSE2__
+  return reinterpret_cast<Float4>(_mm_max_ps(reinterpret_cast<__m128>(one), reinterpret_cast<__m128>(other)));
+#else
+  return one > other ? one : other;
+#endif
+}
+
 inline Float4 magnitude(Float4 values) {
   return reinterpret_cast<Float4>(reinterpret_cast<Int4>(values) & 0x7fffffff);
 }
@@ -89,6 +106,18 @@ struct BoxLanes {
   explicit BoxLanes(const BoxNumbers& box)
       : min(box.first_four), max(__builtin_shufflevector(box.last_four, box.last_four, 1, 2, 3, 0)) {}
 };
+
+/// The box of such lanes. A copy of it, which is 16 bytes and then 8, is made of these stores; of one for
+/// each end it would wait until both are in the cache. EPYC, all fat boxes made anew: 0.84 of the time.
+inline Aabb box_of(Float4 min, Float4 max) {
+  const Float4 first_four = __builtin_shufflevector(min, max, 0, 1, 2, 4);
+  const Float4 last_two = __builtin_shufflevector(max, max, 1, 2, 1, 2);
+  Aabb box;
+  auto* const numbers = reinterpret_cast<float*>(&box);
+  std::memcpy(numbers, &first_four, 4 * sizeof(float));
+  std::memcpy(numbers + 4, &last_two, 2 * sizeof(float));
+  return box;
+}
 
 /// True when a comparison holds on all three axes.
 inline bool on_all_axes(Int4 mask) {

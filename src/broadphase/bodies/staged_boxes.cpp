@@ -173,14 +173,14 @@ Slot* StagedBoxes::move_block(const MovedBodies& block, Slot* moved) {
     }
   }
   const Move move{boxes_.data(), SlotBlocks<Aabb>::Places(next_), states_.data()};
-  std::array<Aabb, kMoveBlock> canonical_boxes;  // NOLINT(*-member-init): as far as it is read
-  const Aabb* boxes = block.boxes.data();
-  if (!block.clean) {
-    make_canonical(block.boxes, canonical_boxes.data());
-    boxes = canonical_boxes.data();
-  }
-  for (std::size_t i = 0; i < count; ++i) moved = move.one(block.slots[i], boxes[i], moved);
-  return moved;
+  const auto put = [&](const Aabb* boxes) {
+    for (std::size_t i = 0; i < count; ++i) moved = move.one(block.slots[i], boxes[i], moved);
+    return moved;
+  };
+  if (block.clean) return put(block.boxes.data());
+  std::array<Aabb, kMoveBlock> canonical_boxes;
+  make_canonical(block.boxes, canonical_boxes.data());
+  return put(canonical_boxes.data());
 }
 
 void StagedBoxes::reserve_removals(std::size_t count) {

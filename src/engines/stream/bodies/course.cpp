@@ -28,14 +28,14 @@ Aabb Course::next_fat_box(const Aabb& fat, const Aabb& before, const Aabb& now, 
     if (age > tuning::kEarly && may_have_kept_course(fat, before, now, age)) trembles_ = false;
   }
   made_ = next.update % kUpdates;
-  if (!trembles_)
-    return fat_box_of(before, now,
-                      {.updates = next.updates, .margin = next.margin, .least = next.growth.least});
-  return fat_box_of(before, now,
-                    {.updates = next.growth.updates,
-                     .may_turn = true,
-                     .margin = next.margin,
-                     .reach = reach_of(halvings_)});
+  Outlook outlook{.updates = next.updates, .margin = next.margin, .least = next.growth.least};
+  if (trembles_) {
+    outlook = {.updates = next.growth.updates,
+               .may_turn = true,
+               .margin = next.margin,
+               .reach = reach_of(halvings_)};
+  }
+  return fat_box_of(before, now, outlook);
 }
 
 // Asked when a fat box did not last, or was that of a body which trembles. One that did not last though the

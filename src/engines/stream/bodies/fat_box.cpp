@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <cstring>
 
 #include "base/tuning.h"
 #include "geometry/box_lanes.h"
@@ -16,21 +15,9 @@ Float4 splat(float value) {
   return Float4{value, value, value, value};
 }
 
-Float4 smaller(Float4 one, Float4 other) {
-  return one < other ? one : other;
-}
-
-Float4 larger(Float4 one, Float4 other) {
-  return one > other ? one : other;
-}
-
-Float4 absolute(Float4 values) {
-  return larger(values, -values);
-}
-
 /// The values where a body moved no further than its own length, else 0.
 Float4 where_near(Float4 step, Float4 edge, Float4 values) {
-  return absolute(step) <= edge ? values : splat(0);
+  return magnitude(step) <= edge ? values : splat(0);
 }
 
 /// How far a face may be carried by a body that keeps its course, with its sign.
@@ -53,20 +40,13 @@ Float4 growth(Float4 step, Float4 edge, const AnyOutlook& outlook) {
 Float4 to_either_side(Float4 step, Float4 edge, const Outlook& outlook) {
   const Float4 margin = splat(outlook.margin);
   if (!outlook.may_turn) return margin;
-  const Float4 wanted = larger(absolute(step) * outlook.updates, edge * outlook.reach);
+  const Float4 wanted = larger(magnitude(step) * outlook.updates, edge * outlook.reach);
   const Float4 reach = smaller(wanted, edge * tuning::kMostTremble);
   return larger(where_near(step, edge, reach), margin);
 }
 
 Float4 within_numbers(Float4 values) {
   return smaller(larger(values, splat(-FLT_MAX)), splat(FLT_MAX));
-}
-
-Aabb box_of(Float4 min, Float4 max) {
-  Aabb box;
-  std::memcpy(&box.min[0], &min, sizeof box.min);
-  std::memcpy(&box.max[0], &max, sizeof box.max);
-  return box;
 }
 
 /// How a box moved, and its lengths.
@@ -119,7 +99,7 @@ bool may_have_kept_course(const Aabb& fat, const Aabb& old, const Aabb& now_box,
   const auto [now, edge, low_step, high_step] = Motion(old, now_box);
   const BoxLanes around(fat);
   const Float4 room = around.max - around.min - edge;
-  const Float4 step = larger(absolute(low_step), absolute(high_step));
+  const Float4 step = larger(magnitude(low_step), magnitude(high_step));
   const auto most = step * static_cast<float>(updates - 1) > room;
   const auto least = step * static_cast<float>(updates) > room * tuning::kRoomOnCourse;
   return (most[0] | most[1] | most[2]) == 0 && (least[0] | least[1] | least[2]) != 0;
@@ -127,7 +107,7 @@ bool may_have_kept_course(const Aabb& fat, const Aabb& old, const Aabb& now_box,
 
 float step_in_lengths(const Aabb& old, const Aabb& now_box) {
   const auto [now, edge, low_step, high_step] = Motion(old, now_box);
-  const Float4 step = larger(absolute(low_step), absolute(high_step));
+  const Float4 step = larger(magnitude(low_step), magnitude(high_step));
   const Float4 lengths = step / larger(edge, splat(FLT_MIN));
   return std::max(std::max(lengths[0], lengths[1]), lengths[2]);
 }

@@ -19,7 +19,7 @@ struct Outlook {
 /// A box that encloses `now` and, the way that led from `old` to it, what comes next, but no further than
 /// tuning::kMostGrowth of its lengths. A box that moves further than its own length at a time does not grow
 /// but for the margin.
-Aabb fat_box_of(const Aabb& old, const Aabb& now, const Outlook& outlook);
+[[gnu::noinline]] Aabb fat_box_of(const Aabb& old, const Aabb& now, const Outlook& outlook);
 
 /// A box that encloses `now` and where the way that led from `old` to it leads to in so many updates, but no
 /// further than fat_box_of().
@@ -35,7 +35,7 @@ struct LaterOutlook {
 
 /// A box that encloses where the way that led from `old` to `now` will lead to by then. A box that moves
 /// further than its own length at a time is taken to stay.
-Aabb later_fat_box_of(const Aabb& old, const Aabb& now, const LaterOutlook& outlook);
+[[gnu::noinline]] Aabb later_fat_box_of(const Aabb& old, const Aabb& now, const LaterOutlook& outlook);
 
 /// Whether a body will have left its fat box in so many updates, on the way that led from `old` to `now`. One
 /// that moves further than its own length at a time has no such way.

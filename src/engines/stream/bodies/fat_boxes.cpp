@@ -45,18 +45,21 @@ std::size_t note_each(std::span<const Slot> moved, Share share, std::uint8_t* es
   return count;
 }
 
-/// Whether more than half of these are so, as some of them tell.
+/// Whether more than half of these are so, as some of them tell. No more are looked at once that is known.
 template <class IsSo>
 bool are_most(std::span<const Slot> slots, const IsSo& is_so) {
   constexpr std::size_t kLooks = 128;
   const std::size_t step = slots.size() / kLooks + 1;
-  std::size_t looks = 0;
-  std::size_t count = 0;
+  const std::size_t looks = (slots.size() + step - 1) / step;
+  const std::size_t enough = looks / 2 + 1;
+  std::size_t are = 0;
+  std::size_t are_not = 0;
   for (std::size_t i = 0; i < slots.size(); i += step) {
-    count += is_so(slots[i]) ? 1 : 0;
-    ++looks;
+    (is_so(slots[i]) ? are : are_not) += 1;
+    if (are == enough) return true;
+    if (are_not + enough > looks) return false;
   }
-  return 2 * count > looks;
+  return false;
 }
 
 }  // namespace
@@ -236,7 +239,7 @@ std::span<const FatBoxChange> FatBoxes::mend_prepared(Crew& crew, const BodyChan
 bool FatBoxes::are_being_left(const BodyChanges& changes, float updates) const {
   return are_most(changes.moved, [&](Slot slot) {
     const Aabb course = course_of(changes.before[slot], changes.boxes[slot], updates);
-    return !encloses(BoxLanes(fat_[slot]), BoxLanes(course));
+    return !encloses(BoxLanes(fat_[slot]), BoxLanes(BoxNumbers::just_written(course)));
   });
 }
 

@@ -55,7 +55,7 @@ std::size_t Rebuild::go_on(const BodyChanges& changes, std::size_t escaped) {
 // At once, in the update that put those in use in their place or found everything anew, or in the next one;
 // or, while fat boxes last, at every look.
 bool Rebuild::begin(const BodyChanges& changes) {
-  if (age_ % tuning::kAllAhead > 1 || !search_.has_cells()) return false;
+  if ((age_ > 1 && age_ % tuning::kAllAhead != 0) || !search_.has_cells()) return false;
   lasts_ = updates_for_next(changes);
   if (lasts_ == 0) return false;
   first_part_ = age_;
@@ -72,16 +72,17 @@ bool Rebuild::begin(const BodyChanges& changes) {
 }
 
 // Where bodies creep, so that most stay in their fat boxes for long, half of that time: then that is not
-// known so well. 0: for longer than anybody looks ahead.
+// known so well. 0: for longer than anybody looks ahead, which is asked first: bodies that tremble at rest
+// are looked at again and again.
 std::uint32_t Rebuild::updates_for_next(const BodyChanges& changes) const {
   const auto are_left_in = [&](std::uint32_t updates) {
     return fat_boxes_.are_being_left(changes, static_cast<float>(updates));
   };
+  if (!are_left_in(2 * tuning::kMostForNext)) return 0;
   if (are_left_in(tuning::kAllAhead)) return made_for_;
   std::uint32_t updates = tuning::kAllAhead;
-  for (; updates <= tuning::kMostForNext; updates *= 2)
-    if (are_left_in(2 * updates)) return updates;
-  return 0;
+  while (updates < tuning::kMostForNext && !are_left_in(2 * updates)) updates *= 2;
+  return updates;
 }
 
 /// Does a part of a stage, and notes what it took.
