@@ -244,8 +244,12 @@ void StagedBoxes::undo() {
 }
 
 void StagedBoxes::commit(std::span<const Slot> inserted) {
-  for (const Slot slot : moved_.view()) states_[slot] = kAtRest;
-  for (const Slot slot : inserted) states_[slot] = kAtRest;
+  if (moved_.size() + inserted.size() == states_.size()) {
+    std::fill_n(states_.data(), states_.size(), kAtRest);  // these are all: none is there twice
+  } else {
+    for (const Slot slot : moved_.view()) states_[slot] = kAtRest;
+    for (const Slot slot : inserted) states_[slot] = kAtRest;
+  }
   if (!next_.are_by_slot()) next_.clear();
   moved_.clear();
   removed_.clear();

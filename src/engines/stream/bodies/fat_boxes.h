@@ -116,7 +116,7 @@ class FatBoxes {
   std::size_t note_escapes(Crew& crew, std::size_t moved, Share places, FunctionRef<std::size_t(Share)> note);
   std::size_t find_escapes(Crew& crew, const BodyChanges& changes);
   std::size_t find_escapes_from_prepared(Crew& crew, const BodyChanges& changes, Share places, float from);
-  void begin_update(const BodyChanges& changes);
+  [[gnu::noinline]] void begin_update(const BodyChanges& changes);
   void renew_all(Crew& crew, const BodyChanges& changes);
   void list(const BodyChanges& changes, std::size_t count);
   void list_removed(Slot slot, const Aabb& before);
