@@ -456,6 +456,9 @@ inline constexpr std::uint64_t kNarrowest = 4096;
 /// change is looked for by halves. EPYC, uniform 10,000 and 100,000, all moving.
 inline constexpr std::size_t kCopied = 8;
 inline constexpr std::size_t kCopies = 8;
+/// With more than one change for so many pairs the list is walked pair by pair instead. EPYC, stacks that
+/// tremble, 1,000 and 10,000, in which half of the pairs change: 0.88 and 0.91 of the time of an update.
+inline constexpr std::size_t kPairsOfChange = 4;
 
 // --- queries
 // -----------------------------------------------------------------------------------------------------

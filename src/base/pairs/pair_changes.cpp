@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 #include "base/pairs/pair_of.h"
 #include "base/tuning.h"
@@ -23,7 +24,9 @@ class RunCopy {
     std::size_t blocks = 0;
     while (from_.size() > tuning::kCopied && pair_key(from_[tuning::kCopied]) < key &&
            blocks < tuning::kCopies) {
-      copy(tuning::kCopied);
+      copy_next();
+      to_ += tuning::kCopied;
+      from_ = from_.subspan(tuning::kCopied);
       ++blocks;
     }
     if (blocks == tuning::kCopies) copy_far(key);
@@ -51,11 +54,14 @@ class RunCopy {
     from_ = from_.subspan(count);
   }
 
+  // Not std::copy_n, which for so few bytes would call a function: lists might overlap.
+  void copy_next() { std::memcpy(to_, from_.data(), tuning::kCopied * sizeof(AnyPair)); }
+
   // Of the next few those below the key, behind which no more are: no branch depends on how many.
   void copy_some(std::uint64_t key) {
     std::size_t below = 0;
     for (std::size_t i = 0; i < tuning::kCopied; ++i) below += pair_key(from_[i]) < key ? 1U : 0U;
-    std::copy_n(from_.data(), tuning::kCopied, to_);
+    copy_next();
     to_ += below;
     from_ = from_.subspan(below);
   }
@@ -77,10 +83,48 @@ class RunCopy {
   AnyPair* end_;
 };
 
+/// To tell whether two are the same: in one number, and not in their order.
+template <class AnyPair>
+std::uint64_t bits_of(const AnyPair& pair) {
+  return std::bit_cast<std::uint64_t>(pair);
+}
+
+/// The same as write_changed(), of lists with many changes: a pair at a time. Which list it is from nobody
+/// can foretell, and no branch depends on it.
+template <class AnyPair>
+AnyPair* write_much_changed(std::span<const AnyPair> old, std::span<const AnyPair> began,
+                            std::span<const AnyPair> ended, AnyPair* to) {
+  constexpr AnyPair kNoPair{};  // of a number with itself
+  const AnyPair* const end = to + (old.size() + began.size() - ended.size());
+  const AnyPair* const last_end = ended.empty() ? &kNoPair : &ended.back();
+  const AnyPair* next_end = ended.empty() ? &kNoPair : ended.data();
+  const AnyPair* one = old.data();
+  const AnyPair* const one_end = one + old.size();
+  const AnyPair* other = began.data();
+  const AnyPair* const other_end = other + began.size();
+  const auto put = [&](std::uint64_t pair, std::uint64_t is_old) {
+    const std::uint64_t is_end = is_old & (pair == bits_of(*next_end) ? 1 : 0);
+    *to = std::bit_cast<AnyPair>(pair);
+    to += is_end ^ 1;
+    next_end += is_end & (next_end != last_end ? 1 : 0);
+  };
+  while (one != one_end && other != other_end && to != end) {
+    const std::uint64_t is_old = pair_key(*one) <= pair_key(*other) ? 1 : 0;
+    const std::uint64_t differ = bits_of(*one) ^ bits_of(*other);
+    put(bits_of(*other) ^ (differ & (0 - is_old)), is_old);
+    one += is_old;
+    other += is_old ^ 1;
+  }
+  for (; one != one_end && to != end; ++one) put(bits_of(*one), 1);
+  return std::copy(other, other_end, to);
+}
+
 /// Returns the end of what it wrote.
 template <class AnyPair>
 AnyPair* write_changed(std::span<const AnyPair> old, std::span<const AnyPair> began,
                        std::span<const AnyPair> ended, AnyPair* to) {
+  if (began.size() + ended.size() > old.size() / tuning::kPairsOfChange)
+    return write_much_changed(old, began, ended, to);
   RunCopy copy(old, to, old.size() + began.size() - ended.size());
   while (!began.empty() || !ended.empty()) {
     // A pair that is in both lists ended with one body and began with another of the same number.
@@ -105,12 +149,6 @@ struct Start {
   std::size_t began = 0;
   std::size_t ended = 0;
 };
-
-/// To tell whether two are the same: in one number, and not in their order.
-template <class AnyPair>
-std::uint64_t bits_of(const AnyPair& pair) {
-  return std::bit_cast<std::uint64_t>(pair);
-}
 
 /// How many of the next four of two lists are alike, before one that is not: no branch tells.
 template <class AnyPair>

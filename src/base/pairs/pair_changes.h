@@ -40,8 +40,8 @@ template <class AnyPair>
 ChangeRoom<AnyPair> write_changes(std::span<const AnyPair> old, std::span<const AnyPair> now,
                                   std::span<const std::uint32_t> gone, ChangeRoom<AnyPair> room);
 
-/// Writes a list with some changes to `now`. What lies between two changes is copied as a whole. All that
-/// ended is in the old list.
+/// Writes a list with some changes to `now`. What lies between two changes is copied as a whole, where these
+/// are few. All that ended is in the old list.
 template <class AnyPair>
 void apply_changes(std::span<const AnyPair> old, std::span<const AnyPair> began,
                    std::span<const AnyPair> ended, Array<AnyPair>& now);

@@ -87,6 +87,27 @@ TYPED_TEST(PairChangesTest, LeadFromOneListToTheNext) {
   }
 }
 
+// Few changes are looked for in the list, and of many none is.
+TYPED_TEST(PairChangesTest, FewAndManyLeadToTheNextList) {
+  Random random(6);
+  for (std::size_t changes = 0; changes < 400; ++changes) {
+    const auto old = this->random_set(random, 300);
+    auto now = old;
+    for (std::size_t i = 0; i < changes; ++i) {
+      const auto pair = *this->random_set(random, 1).begin();
+      const auto next = now.lower_bound(pair);
+      if (random.below(2) == 0) {
+        now.insert(pair);
+      } else if (next != now.end()) {
+        now.erase(next);
+      }
+    }
+    apply_changes<TypeParam>(this->listed(old), this->difference(now, old), this->difference(old, now),
+                             this->now_);
+    ASSERT_THAT(this->now_.view(), ElementsAreArray(now)) << changes;
+  }
+}
+
 TYPED_TEST(PairChangesTest, APairThatEndedAndBeganStays) {
   const std::vector<TypeParam> old = {{1, 2}, {3, 4}};
   const std::vector<TypeParam> both = {{3, 4}};
