@@ -3,6 +3,7 @@
 /// threads, at rest and while bodies move, are the reference's.
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/text.h"
 #include "contract/box_kinds.h"
@@ -66,6 +67,20 @@ std::vector<Aabb> make_lattice(Random& random, std::size_t count) {
     const auto number = [&] { return static_cast<float>(random.whole(0, side)); };
     boxes.push_back(cube({number(), number(), number()}, static_cast<float>(random.whole(0, 2))));
   }
+  return boxes;
+}
+
+// Two grounds as high as each other, the first and the last body, with cubes on them, level with them, and
+// below.
+std::vector<Aabb> make_grounds(Random& random, std::size_t count) {
+  const float side = 2 * std::sqrt(static_cast<float>(count));
+  const Aabb ground = {{-1e6F, -1, -1e6F}, {1e6F, 0, 1e6F}};
+  std::vector<Aabb> boxes = {ground};
+  while (boxes.size() + 1 < count) {
+    const float bottom = static_cast<float>(random.whole(-3, 1));
+    boxes.push_back(cube({random.between(0, side), bottom, random.between(0, side)}, 1));
+  }
+  boxes.push_back(ground);
   return boxes;
 }
 
@@ -157,6 +172,32 @@ TEST_P(WorldsOfStream, AnswersAreTheReferencesInCellsWithinCells) {
     ASSERT_TRUE(answers_are_right(world.queries(), world.truth(), static_cast<std::uint64_t>(step)))
         << GetParam().name;
     if (step == 1) world.step(1, 0.01F);
+  }
+}
+
+std::optional<Touch> first_of(const std::vector<Touch>& touches) {
+  return touches.empty() ? std::nullopt : std::optional(touches.front());
+}
+
+// Whoever is first, and at the same time whose number is less: a ground is looked at last where something
+// else comes as soon.
+TEST(WorldsWithAGround, WhatIsOnItIsTouchedFirst) {
+  for (const VectorIsa isa : {VectorIsa::portable, VectorIsa::avx2, VectorIsa::best}) {
+    if (!make_broadphase(StreamOptions{.isa = isa}).ok()) continue;
+    const MovingWorld world({"grounds", make_grounds}, 800, {isa, 1}, 3);
+    world.queries().prepare();
+    Random random(4);
+    for (int i = 0; i < contract::effort(2000, 1000, 500); ++i) {
+      const Point from = {random.between(-5, 60), random.between(-4, 6), random.between(-5, 60)};
+      Path path = Ray{from, {0, random.one_in(5) ? 1.0 : -1.0, 0}};
+      if (random.one_in(2)) path.direction[0] = random.between(-1, 1);
+      if (random.one_in(2)) path.direction[2] = random.between(-1, 1);
+      if (random.one_in(3)) path.end = random.between(0, 8);
+      if (random.one_in(4)) path.box.max[1] += 0.5F;
+      const auto expected = first_of(world.truth().touches(path));
+      ASSERT_EQ(*world.queries().first_touch(path), expected) << i;
+      ASSERT_EQ(*world.queries().any_touch(path), expected.has_value()) << i;
+    }
   }
 }
 

@@ -22,10 +22,11 @@ bool FatBoxTrial::go_on(Crew& crew, const BodyChanges& changes) {
   std::array<Slot, tuning::kTried> moved;  // NOLINT(*-member-init): as far as it is read
   std::size_t moves = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    boxes_[i] = changes.boxes[slots_[i]];
-    if (!(boxes_[i].min[0] <= boxes_[i].max[0])) return false;
+    const Aabb& now = changes.boxes[slots_[i]];
+    boxes_[i] = now;
+    if (!(now.min[0] <= now.max[0])) return false;
     moved[moves] = static_cast<Slot>(i);
-    moves += same_bits(BoxLanes(boxes_[i]), BoxLanes(before[i])) ? 0 : 1;
+    moves += same_bits(BoxLanes(now), BoxLanes(before[i])) ? 0 : 1;
   }
   ++updates_;
   if (moves == 0) return true;
