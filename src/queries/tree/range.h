@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "geometry/box_lanes.h"
 #include "queries/tree/box_tree.h"
 
 namespace cellsweep::queries {
@@ -14,15 +15,8 @@ namespace cellsweep::queries {
 inline constexpr std::size_t kAxes = 3;
 
 /// A number for each axis, and one that nobody reads.
-using Four [[gnu::vector_size(16)]] = float;
-using FourPlaces [[gnu::vector_size(16)]] = std::int32_t;
-
-inline Four smaller(Four a, Four b) {
-  return a < b ? a : b;
-}
-inline Four larger(Four a, Four b) {
-  return a > b ? a : b;
-}
+using Four = Float4;
+using FourPlaces = Int4;
 
 /// The least and the greatest of some points, by axis; or of boxes.
 struct Range {
