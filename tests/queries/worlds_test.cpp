@@ -179,8 +179,8 @@ std::optional<Touch> first_of(const std::vector<Touch>& touches) {
   return touches.empty() ? std::nullopt : std::optional(touches.front());
 }
 
-// Whoever is first, and at the same time whose number is less: a ground is looked at last where something
-// else comes as soon.
+// Whoever is first, and at the same time whose number is less: a ground is reached behind what stands on it,
+// and as soon as what is level with it.
 TEST(WorldsWithAGround, WhatIsOnItIsTouchedFirst) {
   for (const VectorIsa isa : {VectorIsa::portable, VectorIsa::avx2, VectorIsa::best}) {
     if (!make_broadphase(StreamOptions{.isa = isa}).ok()) continue;

@@ -115,58 +115,21 @@ class CastAtNode {
   Vector end_, certain_end_;
 };
 
-/// Bodies of a node that a path comes to no sooner than to other nodes in there: the ground below everything,
-/// which is looked at where nothing stands on it. Those of one node, as it is the topmost mostly.
-class BodiesForLast {
- public:
-  /// False: they come first, or others are kept already.
-  bool keep(const TreeNode& node, std::uint32_t bodies, std::uint32_t nodes,
-            const float (&keys)[TreeNode::kBoxes]) {
-    if (node_ != nullptr) return false;
-    key_ = least_key(bodies, keys);
-    if (key_ < least_key(nodes, keys)) return false;
-    node_ = &node;
-    bodies_ = bodies;
-    return true;
-  }
-  void give(const TakeBodies& take, float most) const {
-    if (node_ != nullptr && key_ <= most) take.take(take.self, *node_, bodies_);
-  }
-
- private:
-  static float least_key(std::uint32_t bits, const float (&keys)[TreeNode::kBoxes]) {
-    float least = keys[__builtin_ctz(bits)];
-    for (bits &= bits - 1; bits != 0; bits &= bits - 1) {
-      const float key = keys[__builtin_ctz(bits)];
-      least = key < least ? key : least;
-    }
-    return least;
-  }
-
-  const TreeNode* node_ = nullptr;
-  std::uint32_t bodies_ = 0;
-  float key_ = 0;
-};
-
 template <class Lanes>
 void walk_tree_on_path(const TreeNode* nodes, const CastNumbers& path, const TakeBodies& take) {
   CastAtNode<Lanes> cast(nodes, path);
   WaitingNodes waiting(nodes);
-  BodiesForLast last;
   float keys[TreeNode::kBoxes];
   for (NodeOffset at = 0; at != kNoNode;) {
     const TreeNode& node = waiting.at(at);
     __builtin_prefetch(node.content);
     const std::uint32_t bits = cast.test(at, keys);
-    const std::uint32_t of_nodes = bits & node.nodes;
-    const std::uint32_t bodies = bits & node.bodies;
-    if (bodies != 0 && !(of_nodes != 0 && last.keep(node, bodies, of_nodes, keys))) {
+    if (const std::uint32_t bodies = bits & node.bodies; bodies != 0) {
       if (!take.take(take.self, node, bodies)) return;
       cast.end(path.end);
     }
-    at = waiting.next(node, of_nodes, keys, path.end);
+    at = waiting.next(node, bits & node.nodes, keys, path.end);
   }
-  last.give(take, path.end);
 }
 
 /// Of a path that does not become shorter.
