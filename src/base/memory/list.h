@@ -83,8 +83,8 @@ class List {
     capacity_ = wanted;
   }
 
-  // Small, as it stands in a program for each kind of list, and yet quick: bytes are no list's own members to
-  // a compiler that sees them all written at once.
+  // Cold to be small, as a program has one for each kind of list. Bytes all at once: a loop would read the
+  // list's own members again after each of them, as a byte may be a part of anything.
   [[gnu::cold]] void fill_up(std::size_t size, T value) {
     reserve(size);
     if constexpr (kBytes == 1) {
