@@ -10,9 +10,9 @@ namespace cellsweep::bench {
 
 /// `run(state)` does all of it once and says how many seconds it took, which are shown in `unit`.
 template <class Run>
-void register_timed_row(const std::string& name, const Run& run,
-                        benchmark::TimeUnit unit = benchmark::kMicrosecond) {
-  benchmark::RegisterBenchmark(name.c_str(), run)->UseManualTime()->Iterations(1)->Unit(unit);
+benchmark::internal::Benchmark* register_timed_row(const std::string& name, const Run& run,
+                                                   benchmark::TimeUnit unit = benchmark::kMicrosecond) {
+  return benchmark::RegisterBenchmark(name.c_str(), run)->UseManualTime()->Iterations(1)->Unit(unit);
 }
 
 }  // namespace cellsweep::bench

@@ -1,28 +1,28 @@
 /// @file
-/// Whole frames of Bullet's worlds: what the broadphase takes of them, and of questions, Bullet's own tree
-/// beside `stream`.
+/// The program of the suite of Bullet's worlds: what the broadphase takes of whole frames, and of questions,
+/// Bullet's own tree beside `stream`. These take turns, so that each row comes three times; all go into
+/// out/bullet/bullet.json, too, unless rows are chosen.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
 #include <cstdint>
 #include <memory>
 #include <numeric>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "bench/bullet/bullet_world.h"
 #include "bench/bullet/contenders.h"
 #include "bench/bullet/question_rows.h"
 #include "bench/bullet/timed_broadphase.h"
-#include "bench/context.h"
+#include "bench/run_rows.h"
 #include "bench/timed_row.h"
 #include "report/quantile.h"
 
+namespace cellsweep::bench {
 namespace {
-
-using namespace cellsweep::bench;
 
 /// The time of a row is the mean of what the broadphase takes in a frame. Boxes of bodies that fell for half
 /// a second are on their way; later all have come to rest.
@@ -44,42 +44,33 @@ void run_row(benchmark::State& state, std::string_view scene, std::size_t bodies
     const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const double broadphase = std::accumulate(seconds.begin(), seconds.end(), 0.0);
     state.SetIterationTime(broadphase / kFrames);
-    state.counters["p99"] = 1e6 * cellsweep::report::quantile(seconds, 0.99);
+    state.counters["p99"] = 1e6 * report::quantile(seconds, 0.99);
     state.counters["frame"] = 1e6 * all / kFrames;
     state.counters["share"] = broadphase / all;
     state.counters["pairs"] = world.broadphase().getOverlappingPairCache()->getNumOverlappingPairs();
   }
 }
 
+void register_row(const BulletScene& scene, std::size_t bodies, const Contender& contender) {
+  register_timed_row(text("bullet/", scene.name, "/", bodies, "/", contender.name),
+                     [&scene, bodies, &contender](benchmark::State& state) {
+                       run_row(state, scene.name, bodies, contender);
+                     });
+}
+
 void register_rows() {
   for (const BulletScene& scene : kBulletScenes) {
     for (const std::size_t bodies : {std::size_t{1'000}, std::size_t{5'000}, std::size_t{20'000}}) {
-      for (const Contender& contender : contenders()) {
-        const std::string name = "bullet/" + std::string(scene.name) + "/" + std::to_string(bodies) + "/" +
-                                 std::string(contender.name);
-        register_timed_row(name, [&scene, bodies, &contender](benchmark::State& state) {
-          run_row(state, scene.name, bodies, contender);
-        });
-      }
+      for_each_turn([&](const Contender& contender) { register_row(scene, bodies, contender); });
     }
   }
 }
 
 }  // namespace
+}  // namespace cellsweep::bench
 
-// Options given later win, so defaults go in front of the caller's.
 int main(int argc, char** argv) {
-  std::string defaults[] = {"--benchmark_repetitions=3", "--benchmark_report_aggregates_only=true",
-                            "--benchmark_enable_random_interleaving=true"};
-  std::vector<char*> arguments = {argv[0]};
-  for (std::string& option : defaults) arguments.push_back(option.data());
-  arguments.insert(arguments.end(), argv + 1, argv + argc);
-  int count = static_cast<int>(arguments.size());
-  benchmark::Initialize(&count, arguments.data());
-  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
-  add_context();
-  register_rows();
-  register_questions();
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
+  cellsweep::bench::register_rows();
+  cellsweep::bench::register_questions();
+  return cellsweep::bench::run_rows(argc, argv, {}, "out/bullet/bullet.json");
 }

@@ -5,10 +5,10 @@
 #include <chrono>
 #include <cstddef>
 #include <random>
-#include <string>
 #include <string_view>
 #include <utility>
 
+#include "base/text.h"
 #include "bench/bullet/bullet_world.h"
 #include "bench/bullet/contenders.h"
 #include "bench/timed_row.h"
@@ -117,12 +117,10 @@ void run_row(benchmark::State& state, const Contender& contender, Ask ask) {
 void register_questions() {
   constexpr std::pair<std::string_view, Ask> kKinds[] = {{"rays", ask_ray}, {"boxes", ask_box}};
   for (const auto& [kind, ask] : kKinds) {
-    for (const Contender& contender : contenders()) {
-      const std::string name =
-          "bullet/" + std::string(kind) + "/" + std::to_string(kBodies) + "/" + std::string(contender.name);
-      register_timed_row(
-          name, [ask = ask, &contender](benchmark::State& state) { run_row(state, contender, ask); });
-    }
+    for_each_turn([kind = kind, ask = ask](const Contender& contender) {
+      register_timed_row(text("bullet/", kind, "/", kBodies, "/", contender.name),
+                         [ask, &contender](benchmark::State& state) { run_row(state, contender, ask); });
+    });
   }
 }
 

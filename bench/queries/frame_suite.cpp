@@ -102,18 +102,22 @@ void register_row(const FrameSetting& setting, const QueryPeerInfo& info) {
   register_timed_row(name, [=, &info](benchmark::State& state) { run_row(state, setting, info); });
 }
 
+void register_cell(const FrameSetting& setting, std::size_t turns) {
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    for (const QueryPeerInfo& info : query_peer_table()) {
+      if (info.does_answer(kKind) && !info.only_points) register_row(setting, info);
+    }
+  }
+}
+
 }  // namespace
 
 void register_frame_suite(const FrameSuite& suite) {
   for (const std::string_view world : kQueryWorlds) {
     if (has_only_points(world)) continue;
     for (const std::size_t bodies : suite.bodies) {
-      for (const std::size_t percent : kPercents) {
-        for (const QueryPeerInfo& info : query_peer_table()) {
-          if (info.does_answer(kKind) && !info.only_points)
-            register_row({std::string(world), bodies, percent, suite.questions, suite.frames}, info);
-        }
-      }
+      for (const std::size_t percent : kPercents)
+        register_cell({std::string(world), bodies, percent, suite.questions, suite.frames}, suite.turns);
     }
   }
 }

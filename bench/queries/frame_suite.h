@@ -13,6 +13,7 @@ struct FrameSuite {
   std::span<const std::size_t> bodies = kQueryBodies;
   std::size_t questions = 1'000;  ///< in a frame
   std::size_t frames = 300;
+  std::size_t turns = 3;  ///< of those that are compared
 };
 
 /// Registers a row `frames/WORLD/N/rays/PERCENT/NAME` for everybody who answers rays: that share of the

@@ -103,17 +103,22 @@ bool is_asked(const QueryPeerInfo& info, std::string_view world, QuestionKind ki
          !(info.only_points && !are_points);
 }
 
-void register_rows_of(const StageSetting& setting, const QuestionKindInfo& kind) {
-  for (const QueryPeerInfo& info : query_peer_table()) {
-    if (info.only_when_moved || !is_asked(info, setting.world, kind.kind)) continue;
-    register_timed_row(
-        text("queries/", setting.world, "/", setting.bodies, "/", kind.name, "/", info.name),
-        [=, &info](benchmark::State& state) { run_row(state, setting, info, kind.kind); },
-        benchmark::kNanosecond);
+// Those that are compared are timed within seconds: a machine that others share takes half as long again for
+// minutes at a time.
+void register_cell(const StageSetting& setting, const QuestionKindInfo& kind, std::size_t turns) {
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    for (const QueryPeerInfo& info : query_peer_table()) {
+      if (info.only_when_moved || !is_asked(info, setting.world, kind.kind)) continue;
+      register_timed_row(
+          text("queries/", setting.world, "/", setting.bodies, "/", kind.name, "/", info.name),
+          [=, &info](benchmark::State& state) { run_row(state, setting, info, kind.kind); },
+          benchmark::kNanosecond);
+    }
   }
 }
 
-void register_moved_rows_of(const StageSetting& setting, const QueryPeerInfo& info) {
+// Repeated at once: each turn would have to make the world and the tree anew.
+void register_moved_rows_of(const StageSetting& setting, const QueryPeerInfo& info, std::size_t turns) {
   if (info.is_own && &info != &query_peer_table().front()) return;
   for (const QuestionKindInfo& kind : kQuestionKinds) {
     if (std::find(kKindsAskedWhenMoved.begin(), kKindsAskedWhenMoved.end(), kind.kind) ==
@@ -123,7 +128,8 @@ void register_moved_rows_of(const StageSetting& setting, const QueryPeerInfo& in
     register_timed_row(
         text("moved/", setting.world, "/", setting.bodies, "/", kind.name, "/", info.name),
         [=, &info](benchmark::State& state) { run_moved_row(state, setting, info, kind.kind); },
-        benchmark::kNanosecond);
+        benchmark::kNanosecond)
+        ->Repetitions(static_cast<int>(turns));
   }
 }
 
@@ -140,11 +146,11 @@ void for_each_setting(const QuerySuite& suite, const Register& register_rows) {
 
 // Rows about the same worlds come one after the other: making these takes longer than asking.
 void register_query_suite(const QuerySuite& suite) {
-  for_each_setting(suite, [](const StageSetting& setting) {
-    for (const QuestionKindInfo& kind : kQuestionKinds) register_rows_of(setting, kind);
+  for_each_setting(suite, [&](const StageSetting& setting) {
+    for (const QuestionKindInfo& kind : kQuestionKinds) register_cell(setting, kind, suite.turns);
   });
-  for_each_setting(suite, [](const StageSetting& setting) {
-    for (const QueryPeerInfo& info : query_peer_table()) register_moved_rows_of(setting, info);
+  for_each_setting(suite, [&](const StageSetting& setting) {
+    for (const QueryPeerInfo& info : query_peer_table()) register_moved_rows_of(setting, info, suite.turns);
   });
 }
 

@@ -12,6 +12,7 @@ namespace cellsweep::bench {
 struct QuerySuite {
   std::span<const std::size_t> bodies = kQueryBodies;
   std::size_t questions = 8'192;
+  std::size_t turns = 3;  ///< of those that are compared, within seconds
 };
 
 /// Registers a row `queries/WORLD/N/KIND/NAME` for everybody who answers that kind in that world, and

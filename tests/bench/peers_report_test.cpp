@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <string>
 
+#include "bench/measured/page_marks.h"
 #include "bench/peers/chart/chart_script.h"
 #include "bench/peers/chart/pages.h"
 #include "bench/peers/chart/ratios.h"
 #include "bench/peers/chart/tables.h"
 #include "bench/peers/peer_mode.h"
-#include "project_file.h"
 #include "report/text_file.h"
 
 namespace cellsweep::bench {
@@ -20,14 +20,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-// A row as Google Benchmark writes it, of one repetition or of several.
-std::string row(const std::string& name, double time, const std::string& more = "",
-                const std::string& aggregate = "") {
-  const std::string kind = aggregate.empty()
-                               ? R"("run_type": "iteration")"
-                               : R"("run_type": "aggregate", "aggregate_name": ")" + aggregate + "\"";
-  return R"({"run_name": ")" + name + R"(/iterations:1/manual_time", )" + kind +
-         R"(, "time_unit": "us", "real_time": )" + std::to_string(time) + more + "},\n";
+// A row as Google Benchmark writes it.
+std::string row(const std::string& name, double time, const std::string& more = "") {
+  return R"({"run_name": ")" + name + R"(/iterations:1/manual_time", "run_type": "iteration", )" +
+         R"("time_unit": "us", "real_time": )" + std::to_string(time) + more + "},\n";
 }
 
 std::string file(std::string rows) {
@@ -52,27 +48,7 @@ std::string two_cells() {
          row("peers/stream/wall/1000/initial", 100) + row("peers/slow/wall/1000/initial", 900);
 }
 
-TEST(PeerResults, TakeMedianAndSpreadOfRepetitions) {
-  const std::string name = "peers/stream/uniform/1000/initial";
-  const PeerResults results =
-      results_of(row(name, 12, R"(, "pairs": 7)", "mean") + row(name, 10, R"(, "pairs": 7)", "median") +
-                 row(name, 0.25, "", "cv"));
-  const PeerTime& time = results.cells.at(kUniform1000Initial).at("stream");
-  EXPECT_DOUBLE_EQ(time.seconds, 10e-6);
-  EXPECT_DOUBLE_EQ(time.spread, 0.25);
-  EXPECT_DOUBLE_EQ(time.pairs, 7);
-  EXPECT_THAT(results.machine, HasSubstr("a Cell, 9 cores"));
-}
-
-TEST(PeerResults, PutUpWithTheSpreadOfCountersThatAreZero) {
-  const std::string name = "peers/stream/uniform/1000/initial";
-  const PeerResults results =
-      results_of(row(name, 10, "", "median") +
-                 row(name, 0.5, ", \"extra\": NaN,\n \"missing\": -NaN,\n \"pairs\": 0", "cv"));
-  EXPECT_DOUBLE_EQ(results.cells.at(kUniform1000Initial).at("stream").spread, 0.5);
-}
-
-TEST(PeerResults, TakeSingleRunsWhereThereAreNoRepetitions) {
+TEST(PeerResults, NamePeersInTheOrderOfTheFile) {
   const PeerResults results = results_of(two_cells());
   EXPECT_DOUBLE_EQ(results.cells.at(kUniform1000Initial).at("quick").seconds, 40e-6);
   EXPECT_THAT(results.peers, ElementsAre("memory", "stream", "stream_1", "slow", "quick", "wrong"));
@@ -91,15 +67,6 @@ TEST(PeerResults, TakeTheRowInTheMiddleOfPeersThatTookTurns) {
   EXPECT_DOUBLE_EQ(results.cells.at(kUniform1000Initial).at("quick").seconds, 80e-6);
 }
 
-TEST(PeerResults, TakeTheMedianInTheMiddleWhereTurnsHadRepetitions) {
-  const std::string name = "peers/stream/uniform/1000/initial";
-  const PeerResults results = results_of(row(name, 14, "", "median") + row(name, 0.5, "", "cv") +
-                                         row(name, 12, "", "median") + row(name, 10, "", "median"));
-  const PeerTime& time = results.cells.at(kUniform1000Initial).at("stream");
-  EXPECT_DOUBLE_EQ(time.seconds, 12e-6);
-  EXPECT_NEAR(time.spread, 2.0 / 12, 1e-12);
-}
-
 TEST(PeerResults, KeepWhatAnEarlierFileSaid) {
   PeerResults results = results_of(row("peers/stream/uniform/1000/initial", 10));
   const std::string later =
@@ -112,9 +79,6 @@ TEST(PeerResults, KeepWhatAnEarlierFileSaid) {
 TEST(PeerResults, AreNotReadFromAnythingElse) {
   PeerResults results;
   EXPECT_FALSE(add_results("peers/stream", results).ok());
-  EXPECT_FALSE(add_results("{}", results).ok());
-  EXPECT_FALSE(add_results(R"({"benchmarks": [7]})", results).ok());
-  EXPECT_FALSE(add_results(R"({"benchmarks": [{"run_name": 7}]})", results).ok());
   EXPECT_TRUE(add_results(file(row("engine/stream/uniform/1000/initial", 1)), results).ok());
   EXPECT_TRUE(results.cells.empty());
 }
@@ -159,13 +123,6 @@ TEST(PeerTables, ShowMediansAndPercentilesBesideMeans) {
   EXPECT_THAT(summary_markdown(results), HasSubstr("(open-world, `quick`)"));
 }
 
-TEST(PeerResults, SayWhereTheGiantStood) {
-  PeerResults results;
-  ASSERT_TRUE(
-      add_results(R"({"context": {"cpu": "a Cell", "giant": "last"}, "benchmarks": []})", results).ok());
-  EXPECT_THAT(results.machine, HasSubstr("with a giant (last): a Cell"));
-}
-
 TEST(PeerChart, OfASceneWithAMotionOfItsOwnHasTwoPanels) {
   const PeerResults results =
       results_of(row("peers/stream/pile/1000/own", 10) + row("peers/stream/pile/1000/initial", 20));
@@ -184,13 +141,6 @@ TEST(PeerTables, ShowHowEvenTheFramesAre) {
   EXPECT_THAT(
       tails_markdown(results_of(row(name, 250, R"(, "p99/median": 1.5, "mean/median": 1.1, "frames": 990)"))),
       HasSubstr("| wall, 10,000, 10 % move | 250 µs | 1.1 | 1.5 | 990 |"));
-}
-
-TEST(PeerTables, StandBetweenTheirMarks) {
-  const std::string text = "before\n<!-- x: begin -->\nold\n<!-- x: end -->\nafter\n";
-  EXPECT_EQ(*replace_between_marks(text, "x", "new\n"),
-            "before\n<!-- x: begin -->\nnew\n<!-- x: end -->\nafter\n");
-  EXPECT_FALSE(replace_between_marks(text, "y", "new\n").ok());
 }
 
 TEST(PeerTables, ComeDownToASentence) {
@@ -232,12 +182,6 @@ TEST(PeerPages, StayAsTheyAreWhenOneHasNoMarks) {
   const auto project = project_with("no marks\n", kMarks);
   EXPECT_FALSE(update_pages(project, results_of(two_cells()), project / "uniform.png").ok());
   EXPECT_EQ(*report::read_text_file(project / "docs/peers.md"), kMarks);
-}
-
-TEST(PeerPages, OfTheProjectHaveTheirMarks) {
-  EXPECT_TRUE(replace_between_marks(*report::read_text_file(project_file("README.md")), "peers", "").ok());
-  EXPECT_TRUE(
-      replace_between_marks(*report::read_text_file(project_file("docs/peers.md")), "peers", "").ok());
 }
 
 TEST(PeerChart, DrawsEveryExactPeerOfTheSceneOnce) {

@@ -157,9 +157,9 @@ constexpr std::string_view kResults = R"({
     {"run_name": "moved/varied/10000/boxes/fcl/iterations:1/manual_time", "run_type": "iteration",
      "real_time": 900, "move": 3.25},
     {"run_name": "frames/varied/10000/rays/1/stream/iterations:1/manual_time", "run_type": "aggregate",
-     "aggregate_name": "median", "real_time": 200, "ask": 190},
+     "aggregate_name": "median", "time_unit": "us", "real_time": 200, "ask": 190},
     {"run_name": "frames/varied/10000/rays/1/embree/iterations:1/manual_time", "run_type": "aggregate",
-     "aggregate_name": "median", "real_time": 700, "ask": 180}]})";
+     "aggregate_name": "median", "time_unit": "us", "real_time": 700, "ask": 180}]})";
 
 TEST(QueryTables, SayHowFarTheBestOfTheOthersIsBehindAndLeaveErrorsOut) {
   QueryResults results;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "bench/measured/page_marks.h"
 #include "bench/peers/chart/tables.h"
 #include "report/text_file.h"
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/measured/measured_rows.h"
 #include "bench/peers/chart/results.h"
 
 namespace cellsweep::bench {
@@ -23,7 +24,7 @@ struct CellRatio {
   PeerTime best_time;
   double memory = 0;  ///< seconds of the limit that memory sets; 0 when that was not measured
 
-  double ratio() const { return best_time.seconds / stream.seconds; }
+  double ratio() const { return ratio_in_turns(best_time.turns, stream.turns); }
   double over_memory() const { return memory > 0 ? stream.seconds / memory : 0; }
 };
 

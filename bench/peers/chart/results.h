@@ -30,6 +30,7 @@ struct PeerTime {
   double pairs = 0;
   double missing = 0;
   double extra = 0;
+  std::vector<double> turns;  ///< the seconds of each time that it was measured
 
   bool exact() const { return missing == 0 && extra == 0; }
 };

@@ -1,26 +1,17 @@
 #include "bench/peers/chart/tables.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <map>
 #include <utility>
 
 #include "base/text.h"
+#include "bench/measured/numbers.h"
 #include "bench/peers/chart/ratios.h"
 #include "bench/peers/peer_mode.h"
 #include "report/units.h"
 
 namespace cellsweep::bench {
 namespace {
-
-// Two digits, and no more where they are before the point: 0.87, 1.3, 24, 130.
-std::string short_number(double number) {
-  std::array<char, 32> digits{};
-  const char* format = number < 1 ? "%.2f" : number < 10 ? "%.1f" : "%.0f";
-  std::snprintf(digits.data(), digits.size(), format, number);
-  return digits.data();
-}
 
 std::string time_of(double seconds) {
   return report::time_text(1e6 * seconds);
@@ -39,7 +30,7 @@ std::string summary_cell(const std::vector<CellRatio>& ratios) {
   const auto summary = summarise(ratios);
   if (!summary) return "";
   const CellRatio& smallest = summary->smallest;
-  return text("**", short_number(summary->mean), "**; ", short_number(smallest.ratio()), " (",
+  return text("**", two_digits(summary->mean), "**; ", two_digits(smallest.ratio()), " (",
               kPeerScenes[smallest.cell.scene], ", `", smallest.best, "`)");
 }
 
@@ -86,7 +77,7 @@ std::string summary_markdown(const PeerResults& results) {
     table += "\n";
   }
   if (const auto summary = summarise(all)) {
-    table += text("\nGeometric mean of all ", all.size(), " cells: ", short_number(summary->mean), "; ",
+    table += text("\nGeometric mean of all ", all.size(), " cells: ", two_digits(summary->mean), "; ",
                   twice_as_long(all), " of them are 2 or more.\n");
   }
   return table + inexact_lines(results);
@@ -96,9 +87,9 @@ std::string headline_markdown(const PeerResults& results) {
   const std::vector<CellRatio> all = ratios_of(results);
   const auto summary = summarise(all);
   if (!summary) return "";
-  return text("In ", all.size(), " measured cases the fastest of the others took ",
-              short_number(summary->mean), " times as long as `stream` (geometric mean);\nin ",
-              twice_as_long(all), " of them it took at least twice as long.\n");
+  return text("In ", all.size(), " measured cases the fastest of the others took ", two_digits(summary->mean),
+              " times as long as `stream` (geometric mean);\nin ", twice_as_long(all),
+              " of them it took at least twice as long.\n");
 }
 
 std::string cells_markdown(const PeerResults& results) {
@@ -112,8 +103,8 @@ std::string cells_markdown(const PeerResults& results) {
                   kPeerModes[ratio.cell.mode].title, " | ", count_of(ratio.pairs), " | ",
                   time_of(ratio.stream.seconds), " | ", median_and_p99(ratio.stream), " | `", ratio.best,
                   "` | ", time_of(ratio.best_time.seconds), " | ", median_and_p99(ratio.best_time), " | ",
-                  short_number(ratio.ratio()), " | ",
-                  ratio.memory > 0 ? short_number(ratio.over_memory()) : std::string(), " |\n");
+                  two_digits(ratio.ratio()), " | ",
+                  ratio.memory > 0 ? two_digits(ratio.over_memory()) : std::string(), " |\n");
   }
   return table;
 }
@@ -127,7 +118,7 @@ std::string tails_markdown(const PeerResults& results) {
   for (const Tail& tail : tails) {
     table += text("| ", kPeerScenes[tail.cell.scene], ", ", report::count_text(tail.cell.bodies), ", ",
                   kPeerModes[tail.cell.mode].title, " | ", time_of(tail.median_seconds), " | ",
-                  short_number(tail.mean_over_median), " | ", short_number(tail.p99_over_median), " | ",
+                  two_digits(tail.mean_over_median), " | ", two_digits(tail.p99_over_median), " | ",
                   count_of(tail.frames), " |\n");
   }
   return table;
@@ -148,18 +139,6 @@ std::string times_csv(const PeerResults& results) {
     }
   }
   return csv;
-}
-
-Result<std::string> replace_between_marks(std::string text_in, const std::string& name,
-                                          const std::string& content) {
-  const std::string begin = "<!-- " + name + ": begin -->\n";
-  const std::size_t start = text_in.find(begin);
-  const std::size_t end = text_in.find("<!-- " + name + ": end -->");
-  if (start == std::string::npos || end == std::string::npos || end < start) {
-    return Status::bad_input("There is no place for '" + name + "'.");
-  }
-  const std::size_t from = start + begin.size();
-  return text_in.replace(from, end - from, content);
 }
 
 }  // namespace cellsweep::bench

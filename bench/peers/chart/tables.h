@@ -27,9 +27,4 @@ std::string tails_markdown(const PeerResults& results);
 /// pairs, missing, extra, over stream.
 std::string times_csv(const PeerResults& results);
 
-/// The text with what stands between the lines `<!-- NAME: begin -->` and `<!-- NAME: end -->` replaced.
-/// Errors: bad_input when it has no such lines.
-Result<std::string> replace_between_marks(std::string text, const std::string& name,
-                                          const std::string& content);
-
 }  // namespace cellsweep::bench

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/peers/chart/tables.h"
+#include "bench/measured/page_marks.h"
 #include "bench/queries/table/query_tables.h"
 #include "report/text_file.h"
 

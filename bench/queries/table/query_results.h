@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cellsweep/status.h"
 
@@ -35,6 +36,7 @@ struct FrameCell {
 struct FrameTime {
   double us = 0;      ///< of a frame in the mean
   double ask_ns = 0;  ///< of a question
+  std::vector<double> turns;
 };
 
 /// Of one who answers.
@@ -43,6 +45,7 @@ struct QueryTime {
   double p99 = 0;  ///< the 99th percentile; 0 where questions are not asked singly
   double move_ms = 0;
   bool moves_for_pairs = false;
+  std::vector<double> turns;  ///< the seconds of each time that it was measured
 };
 
 struct QueryResults {
@@ -51,7 +54,7 @@ struct QueryResults {
   std::string machine;  ///< what the file says of it
 };
 
-/// Adds what a file holds: medians of repetitions, or single runs. Rows that were errors are left out.
+/// Adds what a file holds; rows that are there already make way. Rows that were errors are left out.
 /// Errors: bad_input for what is no JSON of Google Benchmark.
 Status add_query_results(std::string_view json, QueryResults& results);
 

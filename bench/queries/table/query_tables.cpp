@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <set>
-#include <sstream>
 
+#include "bench/measured/numbers.h"
 #include "bench/queries/query_world.h"
 #include "bench/queries/question.h"
+#include "report/units.h"
 
 namespace cellsweep::bench {
 namespace {
@@ -18,31 +18,14 @@ bool is_ours(const std::string& name) {
   return name.starts_with(kOwn);
 }
 
-std::string digits(double number, int decimals) {
-  std::ostringstream out;
-  out << std::fixed << std::setprecision(decimals) << number;
-  return out.str();
-}
-
-/// 0.57, 2.1, 34: two digits that count.
-std::string as_ratio(double ratio) {
-  return digits(ratio, ratio < 0.995 ? 2 : ratio < 9.95 ? 1 : 0);
-}
-
-std::string with_commas(std::size_t number) {
-  std::string text = std::to_string(number);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
-  return text;
-}
-
 std::string name_of(const QueryCell& cell) {
-  return std::string(kQueryWorlds[cell.world]) + " | " + with_commas(cell.bodies) + " | " +
+  return std::string(kQueryWorlds[cell.world]) + " | " + report::count_text(cell.bodies) + " | " +
          std::string(kQuestionKinds[cell.kind].title);
 }
 
 std::string time_of(const std::map<std::string, QueryTime>& times, const std::string& name) {
   const auto found = times.find(name);
-  return found == times.end() ? "" : digits(found->second.ns, 0);
+  return found == times.end() ? "" : decimals_text(found->second.ns, 0);
 }
 
 /// The ratios of one place of the summary.
@@ -58,7 +41,7 @@ struct Ratios {
   }
   std::string text() const {
     if (smallest == nullptr) return "";
-    return "**" + as_ratio(std::exp(sum_of_logs / count)) + "**; " + as_ratio(smallest->ratio()) + " (" +
+    return "**" + two_digits(std::exp(sum_of_logs / count)) + "**; " + two_digits(smallest->ratio()) + " (" +
            std::string(kQueryWorlds[smallest->cell.world]) + ", `" + smallest->best + "`)";
   }
 };
@@ -88,7 +71,7 @@ std::string query_summary(const QueryResults& results) {
   std::string text = "| question |";
   std::string rule = "|---|";
   for (const std::size_t bodies : sizes) {
-    text += " " + with_commas(bodies) + " bodies |";
+    text += " " + report::count_text(bodies) + " bodies |";
     rule += "---|";
   }
   text += "\n" + rule + "\n";
@@ -113,12 +96,13 @@ std::string query_cells(const QueryResults& results) {
   for (const QueryRatio& ratio : query_ratios(results)) {
     if (ratio.cell.is_moved) continue;
     const auto& times = results.cells.at(ratio.cell);
-    text += "| " + name_of(ratio.cell) + " | " + digits(ratio.own.ns, 0) + " | " + digits(ratio.own.p99, 0) +
-            " | " + time_of(times, "stream_batch_1") + " | " + time_of(times, "stream_batch") + " | `" +
-            ratio.best + "` | " + digits(ratio.best_time.ns, 0) + " | " + digits(ratio.best_time.p99, 0) +
-            " | " + as_ratio(ratio.ratio()) + " |";
+    text += "| " + name_of(ratio.cell) + " | " + decimals_text(ratio.own.ns, 0) + " | " +
+            decimals_text(ratio.own.p99, 0) + " | " + time_of(times, "stream_batch_1") + " | " +
+            time_of(times, "stream_batch") + " | `" + ratio.best + "` | " +
+            decimals_text(ratio.best_time.ns, 0) + " | " + decimals_text(ratio.best_time.p99, 0) + " | " +
+            two_digits(ratio.ratio()) + " |";
     for (const auto& [name, time] : times) {
-      if (!is_ours(name) && name != ratio.best) text += " `" + name + "` " + digits(time.ns, 0);
+      if (!is_ours(name) && name != ratio.best) text += " `" + name + "` " + decimals_text(time.ns, 0);
     }
     text += " |\n";
   }
@@ -133,14 +117,15 @@ std::string frame_cells(const QueryResults& results) {
   for (const auto& [cell, times] : results.frames) {
     const auto own = times.find("stream");
     if (own == times.end()) continue;
-    text += "| " + std::string(kQueryWorlds[cell.world]) + " | " + with_commas(cell.bodies) + " | " +
-            std::to_string(cell.percent) + " % | " + digits(own->second.us, 0) + " | " +
-            digits(own->second.ask_ns, 0) + " |";
+    text += "| " + std::string(kQueryWorlds[cell.world]) + " | " + report::count_text(cell.bodies) + " | " +
+            std::to_string(cell.percent) + " % | " + decimals_text(own->second.us, 0) + " | " +
+            decimals_text(own->second.ask_ns, 0) + " |";
     std::string_view before = " ";
     for (const auto& [name, time] : times) {
       if (is_ours(name)) continue;
       text += before;
-      text += "`" + name + "` **" + as_ratio(time.us / own->second.us) + "**; " + digits(time.ask_ns, 0);
+      text += "`" + name + "` **" + two_digits(ratio_in_turns(time.turns, own->second.turns)) + "**; " +
+              decimals_text(time.ask_ns, 0);
       before = ", ";
     }
     text += " |\n";
@@ -154,10 +139,10 @@ std::string moved_cells(const QueryResults& results) {
   for (const auto& [cell, times] : results.cells) {
     if (!cell.is_moved) continue;
     for (const auto& [name, time] : times) {
-      text +=
-          "| " + name_of(cell) + " | `" + name + "` | " +
-          (time.moves_for_pairs ? "0 (pairs: " + digits(time.move_ms, 1) + ")" : digits(time.move_ms, 1)) +
-          " | " + digits(time.ns, 0) + " |\n";
+      text += "| " + name_of(cell) + " | `" + name + "` | " +
+              (time.moves_for_pairs ? "0 (pairs: " + decimals_text(time.move_ms, 1) + ")"
+                                    : decimals_text(time.move_ms, 1)) +
+              " | " + decimals_text(time.ns, 0) + " |\n";
     }
   }
   return text;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/measured/measured_rows.h"
 #include "bench/queries/table/query_results.h"
 
 namespace cellsweep::bench {
@@ -16,7 +17,7 @@ struct QueryRatio {
   std::string best;
   QueryTime best_time;
 
-  double ratio() const { return best_time.ns / own.ns; }
+  double ratio() const { return ratio_in_turns(best_time.turns, own.turns); }
 };
 
 /// Of all cells in which `stream` and at least one other were measured, in their order.
