@@ -27,6 +27,11 @@ inline double distance_of(const Aabb& one, const Aabb& other) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
+/// The faces of boxes by their numbers, minima by axis and then maxima: of one that lies by itself.
+inline double face_of(const Aabb& box, std::size_t number) {
+  return reinterpret_cast<const float*>(&box)[number];
+}
+
 /// A path, and when it touches boxes.
 class Cast {
  public:
@@ -73,15 +78,17 @@ class Cast {
   const Axis& axis(std::size_t axis) const { return axes_[axis]; }
   double end() const { return end_; }
 
-  /// When the path touches a box first, if it does up to `end`.
-  std::optional<double> touch(const Aabb& box, double end) const {
+  /// When the path touches a box first, if it does up to `end`. A box is whatever face_of() takes.
+  template <class Box>
+  std::optional<double> touch(const Box& box, double end) const {
     const Times times = about(box, end);
     if (misses(times)) return std::nullopt;
     return touches_for_certain(times) ? first_time(times, box) : touch_exactly(box, end);
   }
 
   /// Whether touch() finds a time.
-  bool touches(const Aabb& box, double end) const {
+  template <class Box>
+  bool touches(const Box& box, double end) const {
     const Times times = about(box, end);
     if (misses(times)) return false;
     return touches_for_certain(times) || touch_exactly(box, end).has_value();
@@ -99,14 +106,18 @@ class Cast {
     double leave;
   };
 
-  static double face(const Aabb& box, std::size_t number) {
-    return reinterpret_cast<const float*>(&box)[number];
-  }
   // What the path has to go until it meets a box, and until it has passed it.
-  static double gap_before(const Axis& axis, const Aabb& box) { return face(box, axis.near) - axis.front; }
-  static double gap_behind(const Axis& axis, const Aabb& box) { return face(box, axis.far) - axis.back; }
+  template <class Box>
+  static double gap_before(const Axis& axis, const Box& box) {
+    return face_of(box, axis.near) - axis.front;
+  }
+  template <class Box>
+  static double gap_behind(const Axis& axis, const Box& box) {
+    return face_of(box, axis.far) - axis.back;
+  }
 
-  std::optional<double> touch_exactly(const Aabb& box, double end) const {
+  template <class Box>
+  std::optional<double> touch_exactly(const Box& box, double end) const {
     double enter = 0;
     double leave = end;
     double first = 0;
@@ -129,7 +140,8 @@ class Cast {
 
   // Without a division: off by less than kSlack. A box beside the path, where that stays on an axis, is left
   // before it is come to.
-  Times about(const Aabb& box, double end) const {
+  template <class Box>
+  Times about(const Box& box, double end) const {
     Times times{{}, {}, 0, end};
     for (std::size_t k = 0; k < 3; ++k) {
       const Axis& axis = axes_[k];
@@ -157,7 +169,8 @@ class Cast {
 
   // When the path comes to a box on the axis on which it does last. Only where it does at nearly the same
   // time on another one it takes divisions to tell which that is.
-  double first_time(const Times& about, const Aabb& box) const {
+  template <class Box>
+  double first_time(const Times& about, const Box& box) const {
     const auto& [x, y, z] = about.enters;
     const double second = std::max(std::min(x, y), std::min(std::max(x, y), z));
     if (second >= about.enter * (1 - 2 * kSlack)) return first_exactly(box);
@@ -170,7 +183,8 @@ class Cast {
     return std::max(0.0, last[0] / last[1]);
   }
 
-  double first_exactly(const Aabb& box) const {
+  template <class Box>
+  double first_exactly(const Box& box) const {
     double first = 0;
     for (const Axis& axis : axes_) {
       if (axis.direction != 0) first = std::max(first, gap_before(axis, box) / axis.direction);

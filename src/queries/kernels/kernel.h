@@ -44,17 +44,14 @@ struct BoxRow {
 struct CastNumbers {
   std::int32_t near[4];  ///< the face of boxes that it comes to first: of TreeNode::faces, in bytes
   std::int32_t far[4];   ///< and the one at which it leaves them
-  float front[4];        ///< its own side that comes to the first face; `high` on an axis that is flat
-  float back[4];         ///< its own side that leaves a box at the other one; or `low`
-  float sooner[4];       ///< less the inverse of the direction, made a little smaller; infinite where flat
-  float later[4];        ///< and larger
+  float front[4];   ///< its own side that comes to the first face; where flat, the highest that it ever is
+  float back[4];    ///< its own side that leaves a box at the other one; or the lowest
+  float sooner[4];  ///< less the inverse of the direction, made a little smaller; infinite where flat
+  float later[4];   ///< and larger
   float end;
   float certain_end;    ///< not after the end, as `end` is not before it
   bool can_be_certain;  ///< whether kernels can tell that it touches a box
-  bool is_flat;         ///< on an axis it does not move, or hardly; what follows has numbers then only
-  float wide[4];        ///< infinity on such an axis, or 0
-  float low[4];   ///< a box must reach above this and below the other, which say where the path ever is on
-  float high[4];  ///< such an axis; infinite on others
+  bool is_flat;         ///< on an axis it does not move, or hardly
 };
 
 /// A box in floats and the square of a distance.

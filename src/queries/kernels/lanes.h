@@ -83,7 +83,8 @@ std::uint32_t find_overlaps(const BoxRow& row, const Aabb& box, std::uint32_t* p
   return find_places<Lanes>(row, places, [&](const auto& faces) { return lanes.test(faces); });
 }
 
-/// The numbers of a path in all lanes. `kFlat`: there may be an axis along which the path does not move.
+/// The numbers of a path in all lanes. `kFlat`: there may be an axis along which the path does not move; a
+/// box must reach above `low` there, and below `high`.
 template <class Lanes, bool kFlat>
 struct CastLanes {
   VectorOf<Lanes> from_min[3], from_max[3], inverse[3], wide[3], low[3], high[3];
@@ -96,9 +97,10 @@ struct CastLanes {
       from_max[axis] = all<Lanes>(goes_up ? path.back[axis] : path.front[axis]);
       inverse[axis] = all<Lanes>(-path.sooner[axis]);
       if (!kFlat) continue;
-      wide[axis] = all<Lanes>(path.wide[axis]);
-      low[axis] = all<Lanes>(path.low[axis]);
-      high[axis] = all<Lanes>(path.high[axis]);
+      const bool is_flat = path.sooner[axis] == -__builtin_inff();
+      wide[axis] = all<Lanes>(is_flat ? __builtin_inff() : 0);
+      low[axis] = all<Lanes>(is_flat ? path.back[axis] : -__builtin_inff());
+      high[axis] = all<Lanes>(is_flat ? path.front[axis] : __builtin_inff());
     }
   }
 

@@ -33,7 +33,7 @@ class PathNumbers {
     if (numbers_.is_flat) direction = reinterpret_cast<Float4>(reinterpret_cast<Int4>(direction) & ~flat);
     const BoxLanes box(BoxNumbers::just_written(path.box));
     set_axes(box, direction, scale);
-    if (numbers_.is_flat) set_flat(path, box, flat);
+    if (numbers_.is_flat) set_flat(path, flat);
     end(path.end);
     numbers_.certain_end = below(std::min(path.end * scale_, kFarthest));
   }
@@ -117,11 +117,7 @@ class PathNumbers {
     store4(sooner * (kLarger * kLarger), numbers_.later);
   }
 
-  void set_flat(const Path& path, const BoxLanes& box, Int4 flat) {
-    const Float4 infinite = Float4{} + kInfinity;
-    store4(flat ? infinite : Float4{}, numbers_.wide);
-    store4(flat ? canonical(box.min) : -infinite, numbers_.low);
-    store4(flat ? canonical(box.max) : infinite, numbers_.high);
+  void set_flat(const Path& path, Int4 flat) {
     for (unsigned axis = 0; axis < 3; ++axis) {
       const double direction = path.direction[axis];
       if (direction != 0 && (flat[axis] != 0 || !Cast::has_inverse(direction))) set_flat_axis(path, axis);
@@ -139,9 +135,8 @@ class PathNumbers {
     numbers_.far[axis] = minima + 3 * kFace;
     numbers_.sooner[axis] = numbers_.later[axis] = -kInfinity;
     numbers_.can_be_certain = false;
-    numbers_.wide[axis] = kInfinity;
-    numbers_.back[axis] = numbers_.low[axis] = way == 0 ? low : below(reach(low, way < 0 ? way : -0.0));
-    numbers_.front[axis] = numbers_.high[axis] = way == 0 ? high : above(reach(high, way > 0 ? way : 0.0));
+    numbers_.back[axis] = way == 0 ? low : below(reach(low, way < 0 ? way : -0.0));
+    numbers_.front[axis] = way == 0 ? high : above(reach(high, way > 0 ? way : 0.0));
   }
 
   // How far it comes from there, and a little further: a small sum of large numbers is as uncertain as they
