@@ -25,9 +25,8 @@ const std::vector<Contender>& contenders() {
   return all;
 }
 
-void for_each_turn(const std::function<void(const Contender&)>& register_row) {
-  constexpr int kTurns = 3;
-  for (int turn = 0; turn < kTurns; ++turn) {
+void for_each_turn(int turns, const std::function<void(const Contender&)>& register_row) {
+  for (int turn = 0; turn < turns; ++turn) {
     for (const Contender& contender : contenders()) register_row(contender);
   }
 }

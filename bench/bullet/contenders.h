@@ -20,8 +20,8 @@ struct Contender {
 /// many threads as pay.
 const std::vector<Contender>& contenders();
 
-/// Each of them three times, in turns: those that are compared are measured one after the other, as a machine
-/// that others share takes half as long again for minutes at a time.
-void for_each_turn(const std::function<void(const Contender&)>& register_row);
+/// Each of them so many times, in turns: those that are compared are measured one after the other, as a
+/// machine that others share takes half as long again for minutes at a time.
+void for_each_turn(int turns, const std::function<void(const Contender&)>& register_row);
 
 }  // namespace cellsweep::bench

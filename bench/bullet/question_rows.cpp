@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kBodies = 20'000;
 constexpr int kQuestions = 10'000;
+constexpr int kTurns = 3;
 
 struct Box {
   btVector3 low;
@@ -117,7 +118,7 @@ void run_row(benchmark::State& state, const Contender& contender, Ask ask) {
 void register_questions() {
   constexpr std::pair<std::string_view, Ask> kKinds[] = {{"rays", ask_ray}, {"boxes", ask_box}};
   for (const auto& [kind, ask] : kKinds) {
-    for_each_turn([kind = kind, ask = ask](const Contender& contender) {
+    for_each_turn(kTurns, [kind = kind, ask = ask](const Contender& contender) {
       register_timed_row(text("bullet/", kind, "/", kBodies, "/", contender.name),
                          [ask, &contender](benchmark::State& state) { run_row(state, contender, ask); });
     });
