@@ -13,6 +13,7 @@
 #include "contract/contract_engines.h"
 #include "contract/random_caller.h"
 #include "fuzz/calls.h"
+#include "queries/random_questions.h"
 #include "report/verify.h"
 
 namespace cellsweep::soak {
@@ -26,6 +27,9 @@ constexpr std::size_t kBodies[] = {1, 2, 3, 7, 16, 33, 100, 250};
 constexpr std::size_t kSceneBodies[] = {60, 200, 700, 4000};
 constexpr int kSteps = 40;
 constexpr std::size_t kFrames = 25;
+/// For questions: trees of several nodes, and cells in cells.
+constexpr std::size_t kAskedBodies[] = {17, 100, 250, 700};
+constexpr int kAskedSteps = 8;
 constexpr std::size_t kBytes = 400;
 
 /// Of an engine whose SPU programs are interpreted.
@@ -50,6 +54,35 @@ Outcome live_by_calls(const ContractEngine& engine, Random& random, std::uint64_
   testing::AssertionResult right = caller.fill();
   for (int step = 0; step < steps && right; ++step) {
     right = caller.step();
+    ++outcome.updates;
+    outcome.pairs += checked.model().pairs.size();
+  }
+  if (!right) outcome.failure = right.message();
+  return outcome;
+}
+
+/// Everything is asked after each update, and again while changes wait for the next one; the tree for
+/// questions is there, or it is not.
+testing::AssertionResult ask(const contract::CheckedEngine& checked, const queries::Reference& world,
+                             Random& random) {
+  if (random.one_in(2)) checked.engine().queries().prepare();
+  return queries::answers_are_right(checked.engine().queries(), world, random.bits());
+}
+
+Outcome live_by_questions(const ContractEngine& engine, Random& random, std::uint64_t seed) {
+  const contract::BoxKind& kind = one_of(random, contract::box_kinds());
+  const bool slow = is_interpreted(engine);
+  const std::size_t bodies = slow ? kBodiesOfSlow : one_of(random, kAskedBodies);
+  Outcome outcome{engine.label + ", questions, " + contract::story_of(kind, bodies, seed)};
+  contract::CheckedEngine checked(engine, outcome.story);
+  contract::RandomCaller caller(checked, kind, bodies, seed);
+  testing::AssertionResult right = caller.fill();
+  for (int step = 0; step < (slow ? kStepsOfSlow : kAskedSteps) && right; ++step) {
+    right = caller.step();
+    const queries::Reference shown{checked.model().shown, checked.model().filters};
+    if (right) right = ask(checked, shown, random);
+    if (right) right = caller.calls();
+    if (right) right = ask(checked, shown, random);
     ++outcome.updates;
     outcome.pairs += checked.model().pairs.size();
   }
@@ -131,6 +164,7 @@ Outcome live(std::uint64_t seed, std::string_view only) {
   if (random.one_in(8) && (only.empty() || only == "stream")) return live_by_bytes(random);
   const std::vector<ContractEngine> engines = engines_named(only);
   const ContractEngine& engine = one_of(random, engines);
+  if (random.one_in(4)) return live_by_questions(engine, random, seed);
   return random.one_in(2) ? live_by_calls(engine, random, seed) : live_in_scene(engine, random, seed);
 }
 

@@ -16,9 +16,10 @@ struct Outcome {
   std::string failure{};      ///< what was wrong; empty where nothing was
 };
 
-/// Random calls on a kind of boxes, or frames of a scene, on any engine with any settings that the contract
-/// suite knows; or bytes taken for calls on `stream`. The same seed lives the same life. With a name only
-/// engines of that name are taken, which must be one that the contract suite has (is_engine()).
+/// Random calls on a kind of boxes, with questions between them or none, or frames of a scene, on any engine
+/// with any settings that the contract suite knows; or bytes taken for calls on `stream`. The same seed lives
+/// the same life. With a name only engines of that name are taken, which must be one that the contract suite
+/// has (is_engine()).
 Outcome live(std::uint64_t seed, std::string_view only = {});
 
 bool is_engine(std::string_view name);
