@@ -147,7 +147,7 @@ nlohmann::ordered_json question_json(const Question& question) {
   Json json;
   Json& numbers = json[std::string(question.kind->name)] = Json::array();
   for (const double number : question.numbers) {
-    if (question.kind->form == Form::pairs_of) {
+    if (question.kind->form == QuestionForm::pairs_of) {
       numbers.push_back(static_cast<std::uint32_t>(number));
     } else {
       numbers.push_back(number);

@@ -18,7 +18,6 @@ using contract::Random;
 using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 using Pairs = std::vector<Pair>;
 

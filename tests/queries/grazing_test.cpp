@@ -14,6 +14,7 @@
 
 #include "cellsweep/broadphase.h"
 #include "cellsweep/options.h"
+#include "contract/effort.h"
 #include "contract/random.h"
 #include "queries/reference.h"
 

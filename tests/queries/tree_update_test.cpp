@@ -3,6 +3,7 @@
 #include "queries/tree/tree_update.h"
 
 #include "base/text.h"
+#include "cellsweep/query.h"
 #include "contract/box_kinds.h"
 #include "contract/effort.h"
 #include "queries/tree_check.h"

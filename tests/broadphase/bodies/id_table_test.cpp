@@ -22,7 +22,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-using testing::UnorderedElementsAre;
 
 /// All that a table shows, but for how often it changed.
 struct Contents {
