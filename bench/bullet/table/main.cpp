@@ -3,9 +3,11 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bench/bullet/table/bullet_tables.h"
 #include "bench/measured/page_marks.h"
+#include "bench/measured/table_program.h"
 #include "report/text_file.h"
 
 namespace {
@@ -27,8 +29,10 @@ Status put_into_page(const MeasuredRows& measured) {
   return text ? report::write_text_file(kPage, *text) : text.status();
 }
 
-Status run(const std::string& file, bool docs) {
-  const Result<std::string> json = report::read_text_file(file);
+Status run(const std::vector<std::string>& files, bool docs) {
+  if (files.size() > 1)
+    return Status::bad_input("One file is read, not " + std::to_string(files.size()) + ".");
+  const Result<std::string> json = report::read_text_file(files.front());
   if (!json) return json.status();
   const Result<MeasuredRows> measured = read_measured_rows(*json);
   if (!measured) return measured.status();
@@ -40,21 +44,5 @@ Status run(const std::string& file, bool docs) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string file = "out/bullet/bullet.json";
-  bool docs = false;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view argument = argv[i];
-    if (argument == "--docs") {
-      docs = true;
-    } else if (argument.starts_with("-")) {
-      std::fputs(kUsage.data(), argument == "--help" ? stdout : stderr);
-      return argument == "--help" ? 0 : 2;
-    } else {
-      file = argument;
-    }
-  }
-  const Status status = run(file, docs);
-  if (status.ok()) return 0;
-  std::fprintf(stderr, "bullet-table: %s\n", status.message.c_str());
-  return 2;
+  return run_table_program({"bullet-table", kUsage, "out/bullet/bullet.json", run}, argc, argv);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "bench/measured/table_program.h"
 #include "bench/peers/chart/chart_script.h"
 #include "bench/peers/chart/pages.h"
 #include "bench/peers/chart/tables.h"
@@ -27,16 +28,12 @@ constexpr std::string_view kUsage =
     "scene\n"
     "           uniform into bench/figures\n";
 
-struct Settings {
-  std::filesystem::path out = "out/peers";
-  std::vector<std::string> files;
-  bool docs = false;
-};
+const std::filesystem::path kOut = "out/peers";
 
 constexpr std::string_view kEndOfPng = "IEND\xae\x42\x60\x82";
 
-Status read_all(const Settings& settings, PeerResults& results) {
-  for (const std::string& file : settings.files) {
+Status read_all(const std::vector<std::string>& files, PeerResults& results) {
+  for (const std::string& file : files) {
     const Result<std::string> json = report::read_text_file(file);
     if (!json) return json.status();
     if (Status status = add_results(*json, results); !status.ok()) return status;
@@ -44,58 +41,40 @@ Status read_all(const Settings& settings, PeerResults& results) {
   return {};
 }
 
-Status draw_all(const Settings& settings, const PeerResults& results) {
+Status draw_all(const PeerResults& results) {
   for (std::size_t scene = 0; scene < kPeerScenes.size(); ++scene) {
     const std::string name(kPeerScenes[scene]);
     const std::string script = chart_script(results, scene);
     const auto chart = report::run_gnuplot(name + ".gnuplot", script, kEndOfPng);
     if (!chart) return chart.status();
     const std::string alone = text("# gnuplot ", name, ".gnuplot >", name, ".png\n", script);
-    if (Status status = report::write_text_file(settings.out / (name + ".gnuplot"), alone); !status.ok())
+    if (Status status = report::write_text_file(kOut / (name + ".gnuplot"), alone); !status.ok())
       return status;
-    if (Status status = report::write_text_file(settings.out / (name + ".png"), *chart); !status.ok())
-      return status;
+    if (Status status = report::write_text_file(kOut / (name + ".png"), *chart); !status.ok()) return status;
   }
   return {};
 }
 
-Status write_tables(const Settings& settings, const PeerResults& results) {
+Status write_tables(const PeerResults& results) {
   const std::string tables = results.machine + "\n\n" + summary_markdown(results) + "\n" +
                              cells_markdown(results) + "\n" + tails_markdown(results);
   std::fputs(tables.c_str(), stdout);
-  if (Status status = report::write_text_file(settings.out / "tables.md", tables); !status.ok())
-    return status;
-  return report::write_text_file(settings.out / "times.csv", times_csv(results));
+  if (Status status = report::write_text_file(kOut / "tables.md", tables); !status.ok()) return status;
+  return report::write_text_file(kOut / "times.csv", times_csv(results));
 }
 
-Status run(const Settings& settings) {
+Status run(const std::vector<std::string>& files, bool docs) {
   PeerResults results;
   if (Status status = report::find_gnuplot(); !status.ok()) return status;
-  if (Status status = read_all(settings, results); !status.ok()) return status;
-  if (Status status = report::make_folder(settings.out); !status.ok()) return status;
-  if (Status status = write_tables(settings, results); !status.ok()) return status;
-  if (Status status = draw_all(settings, results); !status.ok()) return status;
-  return settings.docs ? update_pages(".", results, settings.out / "uniform.png") : Status{};
+  if (Status status = read_all(files, results); !status.ok()) return status;
+  if (Status status = report::make_folder(kOut); !status.ok()) return status;
+  if (Status status = write_tables(results); !status.ok()) return status;
+  if (Status status = draw_all(results); !status.ok()) return status;
+  return docs ? update_pages(".", results, kOut / "uniform.png") : Status{};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Settings settings;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view argument = argv[i];
-    if (argument == "--docs") {
-      settings.docs = true;
-    } else if (argument.starts_with("-")) {
-      std::fputs(kUsage.data(), argument == "--help" ? stdout : stderr);
-      return argument == "--help" ? 0 : 2;
-    } else {
-      settings.files.emplace_back(argument);
-    }
-  }
-  if (settings.files.empty()) settings.files.emplace_back("out/peers/peers.json");
-  const Status status = run(settings);
-  if (status.ok()) return 0;
-  std::fprintf(stderr, "peers-chart: %s\n", status.message.c_str());
-  return 2;
+  return run_table_program({"peers-chart", kUsage, "out/peers/peers.json", run}, argc, argv);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/measured/page_marks.h"
+#include "bench/measured/table_program.h"
 #include "bench/queries/table/query_tables.h"
 #include "report/text_file.h"
 
@@ -49,22 +50,5 @@ Status run(const std::vector<std::string>& files, bool docs) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<std::string> files;
-  bool docs = false;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view argument = argv[i];
-    if (argument == "--docs") {
-      docs = true;
-    } else if (argument.starts_with("-")) {
-      std::fputs(kUsage.data(), argument == "--help" ? stdout : stderr);
-      return argument == "--help" ? 0 : 2;
-    } else {
-      files.emplace_back(argument);
-    }
-  }
-  if (files.empty()) files.emplace_back("out/queries/queries.json");
-  const Status status = run(files, docs);
-  if (status.ok()) return 0;
-  std::fprintf(stderr, "queries-table: %s\n", status.message.c_str());
-  return 2;
+  return run_table_program({"queries-table", kUsage, "out/queries/queries.json", run}, argc, argv);
 }
