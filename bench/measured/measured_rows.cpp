@@ -50,6 +50,7 @@ std::string with_zeros_for_nan(std::string_view text_of_file) {
 /// What a file says of the row of one name.
 struct Measurements {
   std::vector<const json*> rows;
+  std::vector<const json*> medians;
   double spread_of_repetitions = 0;
 };
 
@@ -78,22 +79,28 @@ MeasuredRow row_of(Measurements of, const std::string& name) {
   return row;
 }
 
-// A median that Google Benchmark took of repetitions is a measurement like others.
+// A median that Google Benchmark took of repetitions is a measurement like others, unless these are there,
+// too.
 std::vector<MeasuredRow> rows_of(const json& list) {
   std::map<std::string, Measurements> measured;
   std::vector<std::string> names;
   for (const json& row : list) {
     const std::string name = row.value("run_name", "");
-    const bool is_measurement = row.value("run_type", "") == "iteration" || is_aggregate(row, "median");
+    const bool is_median = is_aggregate(row, "median");
     Measurements& of_name = measured[name];
     if (is_aggregate(row, "cv")) of_name.spread_of_repetitions = row.value("real_time", 0.0);
-    if (!is_measurement || row.value("error_occurred", false)) continue;
-    if (of_name.rows.empty()) names.push_back(name);
-    of_name.rows.push_back(&row);
+    if (!is_median && row.value("run_type", "") != "iteration") continue;
+    if (row.value("error_occurred", false)) continue;
+    if (of_name.rows.empty() && of_name.medians.empty()) names.push_back(name);
+    (is_median ? of_name.medians : of_name.rows).push_back(&row);
   }
   std::vector<MeasuredRow> rows;
   rows.reserve(names.size());
-  for (const std::string& name : names) rows.push_back(row_of(measured[name], name));
+  for (const std::string& name : names) {
+    Measurements& of_name = measured[name];
+    if (of_name.rows.empty()) of_name.rows.swap(of_name.medians);
+    rows.push_back(row_of(of_name, name));
+  }
   return rows;
 }
 

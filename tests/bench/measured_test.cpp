@@ -76,6 +76,12 @@ TEST(MeasuredRows, HaveTheMedianInTheMiddleWhereTurnsHadRepetitions) {
   EXPECT_NEAR(measured.rows.at(0).spread, 2.0 / 12, 1e-12);
 }
 
+TEST(MeasuredRows, AreRepetitionsAloneWhereTheirMedianIsThereToo) {
+  const MeasuredRows measured = read(row("a", 14) + row("a", 10) + row("a", 12) + row("a", 12, "", "median"));
+  EXPECT_EQ(measured.rows.at(0).turns.size(), 3U);
+  EXPECT_DOUBLE_EQ(measured.rows.at(0).seconds, 12e-6);
+}
+
 TEST(MeasuredRows, AreComparedTurnByTurn) {
   const std::vector<double> one = {8, 4, 12};
   EXPECT_DOUBLE_EQ(ratio_in_turns(one, std::vector<double>{2, 1, 4}), 4);
